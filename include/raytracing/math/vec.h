@@ -1,0 +1,28 @@
+#pragma once
+// The one place that configures GLM. Every other file includes this header, never <glm/...>.
+
+#define GLM_FORCE_XYZW_ONLY
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace raytracing {
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using DVec3 = glm::dvec3;
+/// Linear RGB radiance, reflectance or throughput.
+using Rgb = glm::vec3;
+
+using glm::cross;
+using glm::dot;
+using glm::length;
+using glm::normalize;
+
+inline float max_component(const Vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
+inline Vec3 absolute(const Vec3& v) { return {glm::abs(v.x), glm::abs(v.y), glm::abs(v.z)}; }
+inline bool is_black(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+
+}  // namespace raytracing
