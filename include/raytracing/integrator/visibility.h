@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "raytracing/scene/scene.h"
+
+namespace raytracing {
+
+/// What one thread has asked of the accelerators.
+struct RayCounts {
+  std::uint64_t closest = 0;   ///< closest-hit rays
+  std::uint64_t shadow = 0;    ///< occlusion tests
+  std::uint64_t segments = 0;  ///< exact visibility queries of a segment
+
+  RayCounts& operator+=(const RayCounts& other) {
+    closest += other.closest;
+    shadow += other.shadow;
+    segments += other.segments;
+    return *this;
+  }
+};
+
+/// The questions that transport asks about the scene, counted. One per thread.
+class Visibility {
+ public:
+  explicit Visibility(const Scene& scene) : scene_(scene) {}
+
+  std::optional<Hit> closest_hit(const Ray& ray) {
+    ++counts_.closest;
+    return scene_.geometry().closest_hit(ray);
+  }
+
+  /// Whether something stands between the vertex and the point `q` of the light.
+  bool occluded(const Vertex& v, const Vec3& q, const AreaLight& light) {
+    ++counts_.shadow;
+    return scene_.geometry().occluded(v.ray_origin(), offset_point(q, light.normal, light.error));
+  }
+
+  const RayCounts& counts() const { return counts_; }
+
+ private:
+  const Scene& scene_;
+  RayCounts counts_;
+};
+
+}  // namespace raytracing

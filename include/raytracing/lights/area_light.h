@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "raytracing/lights/chords.h"
+#include "raytracing/math/vec.h"
+#include "raytracing/sampling/discrete.h"
+#include "raytracing/sampling/spherical.h"
+
+namespace raytracing {
+
+/// A planar convex polygon with 3 or more corners that emits the radiance Le, the same in all
+/// directions, on the side of its normal. Counter-clockwise corners as seen from that side.
+struct AreaLight {
+  /// `corners` must be planar, convex and of positive area.
+  AreaLight(std::span<const Vec3> corners, const Rgb& Le);
+
+  std::vector<Vec3> corners;
+  Rgb Le;
+  Vec3 normal;  ///< unit
+  float area;
+  float error;  ///< position_error of its plane
+  bool is_parallelogram;
+  std::optional<Rectangle> rectangle;  ///< set when all its angles are right
+  DiscreteDistribution fan;  ///< by area, of the triangles (0, i+1, i+2) that make the polygon
+  ChordSet chords;
+
+  /// Emitted power of one channel per unit radiance is pi * area; this is pi * area * mean(Le).
+  float power() const;
+};
+
+/// A point uniform in area; density 1 / light.area per unit area.
+Vec3 sample_area(const AreaLight& light, const Vec2& u);
+
+/// Density per steradian, seen from `from`, of a point `q` on the light chosen uniformly in area;
+/// infinite or 0 in the light's own plane or behind it.
+float area_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q);
+
+/// A point of the light whose direction from `from` is uniform in solid angle.
+struct SolidAngleSample {
+  Vec3 point;
+  float pdf_w;  ///< per steradian
+};
+/// Rectangles by SphericalRectangle, other polygons by the spherical triangles of their fan. Where
+/// the solid angle is too small or too large for float arithmetic, samples by area instead and
+/// says so in the density. Nothing when `from` does not see the emitting side.
+std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const Vec3& from,
+                                                   const Vec2& u);
+/// The density with which sample_solid_angle chooses the point `q` of the light.
+float solid_angle_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q);
+
+}  // namespace raytracing

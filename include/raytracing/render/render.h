@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "raytracing/integrator/shade.h"
+#include "raytracing/render/film.h"
+#include "raytracing/scene/camera.h"
+
+namespace raytracing {
+
+struct RenderOptions {
+  int width = 784;
+  int height = 784;
+  std::uint64_t spp = 16;
+  ShadeOptions shade;
+  SamplerKind sampler = SamplerKind::sobol;
+  std::uint64_t seed = 0;
+  int threads = 1;
+  int tile_size = 16;
+};
+
+/// A sample whose radiance was infinite or not a number. It counts as black.
+struct NonFiniteSample {
+  int x, y;
+  std::uint64_t sample;
+};
+
+struct RenderResult {
+  Film film;
+  RayCounts rays;
+  std::uint64_t paths = 0;
+  std::uint64_t non_finite_samples = 0;
+  std::vector<NonFiniteSample> first_non_finite;  ///< a few of them, in order of (y, x, sample)
+  double render_seconds = 0;                      ///< wall clock
+  double cpu_seconds = 0;                         ///< of all threads
+  bool complete = true;                           ///< false when stopped early
+};
+
+/// Told from time to time by one thread at a time: samples done and samples in all.
+using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// Renders the picture by `options.threads` threads. The result does not depend on their number nor
+/// on the tile size. When `stop` becomes true, returns soon with what there is.
+RenderResult render(const Scene& scene, const RenderOptions& options,
+                    const std::atomic<bool>& stop, const ProgressCallback& progress);
+
+/// Radiance of one sample of one pixel, as render() would take it.
+Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
+                 int y, std::uint64_t sample, Visibility& visibility, PathLog* log = nullptr);
+
+}  // namespace raytracing

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "raytracing/math/vec.h"
+
+namespace raytracing {
+
+enum class SamplerKind {
+  sobol,        ///< padded pairs of the Owen-scrambled 2D Sobol' sequence (Burley 2020)
+  independent,  ///< pseudo-random numbers
+};
+
+std::string_view to_string(SamplerKind kind);
+std::optional<SamplerKind> sampler_kind(std::string_view name);
+
+/// The uniform numbers of one sample of one pixel: a pure function of (seed, pixel, sample index,
+/// dimension), so that a picture depends neither on threads nor on order. Numbers come in pairs;
+/// pairs are made sixteen at a time, which vectorises. All numbers lie in [0,1).
+class PathSampler {
+ public:
+  PathSampler(SamplerKind kind, std::uint64_t seed, std::uint32_t x, std::uint32_t y,
+              std::uint64_t sample);
+
+  /// Pair number `index` of this sample.
+  Vec2 pair(std::uint32_t index) {
+    if (index - first_ >= kBatch) make_batch(index);
+    return {x_[index - first_], y_[index - first_]};
+  }
+
+  /// Independent uniform number `i` that belongs to pair `index`: for methods which want more
+  /// numbers than a pair, without moving the dimensions of all that follows.
+  float extra(std::uint32_t index, std::uint32_t i) const;
+
+ private:
+  static constexpr std::uint32_t kBatch = 16;
+  void make_batch(std::uint32_t index);
+
+  SamplerKind kind_;
+  std::uint32_t key_[2];           // of pixel and seed (sobol) or of the sample (independent)
+  std::uint32_t reversed_sample_;  // bit-reversed low half of the sample index
+  std::uint32_t first_ = 0;        // pair held in x_[0], y_[0]
+  alignas(64) std::array<float, kBatch> x_;
+  alignas(64) std::array<float, kBatch> y_;
+};
+
+}  // namespace raytracing

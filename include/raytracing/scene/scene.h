@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "raytracing/geometry/embree_scene.h"
+#include "raytracing/lights/area_light.h"
+#include "raytracing/materials/material.h"
+#include "raytracing/math/frame.h"
+#include "raytracing/scene/description.h"
+
+namespace raytracing {
+
+/// A point of a surface, seen from the direction wo. Normals point to the viewer's side.
+struct Vertex {
+  Vec3 position;
+  float error;       ///< position_error of the surface here
+  Vec3 ng;           ///< geometric normal, unit
+  Frame shading;     ///< z is the shading normal
+  Vec3 wo;           ///< unit, in the shading frame; wo.z > 0
+  const Material* material;
+  std::uint32_t light;  ///< index of the light this point belongs to and is seen emitting, or kNone
+
+  /// The origin of a ray that leaves to the viewer's side.
+  Vec3 ray_origin() const { return offset_point(position, ng, error); }
+};
+
+/// What building a scene found worth telling.
+struct BuildNotes {
+  std::uint64_t split_lights = 0;      ///< emitting faces not planar and convex, cut into triangles
+  std::uint64_t zero_area_lights = 0;  ///< emitting triangles without area, left out as lights
+};
+
+/// Everything that rendering reads. Immutable after construction.
+class Scene {
+ public:
+  /// `threads` >= 1 build the accelerator.
+  Scene(SceneDescription description, int threads);
+
+  const EmbreeScene& geometry() const { return geometry_; }
+  const CameraDescription& camera() const { return camera_; }
+  std::span<const AreaLight> lights() const { return lights_; }
+  /// Chooses a light with probability proportional to its power. There must be one.
+  DiscreteDistribution::Choice choose_light(float u) const { return light_choice_.sample(u); }
+  float light_pmf(std::uint32_t light) const { return light_choice_.pmf(light); }
+  const BuildNotes& notes() const { return notes_; }
+
+  Vertex vertex(const Ray& ray, const Hit& hit) const;
+
+ private:
+  /// What shading reads of a triangle, in one cache line.
+  struct alignas(64) TriangleRecord {
+    Vec3 corners[3];
+    Vec3 ng;                // unit
+    float error;            // position_error
+    std::uint32_t surface;  // index into materials_
+    std::uint32_t light;    // or kNone
+    std::uint32_t normals;  // index into smooth_normals_, or kNone where flat
+  };
+  struct SmoothNormals {
+    Vec3 corners[3];  // unit
+  };
+  struct Builder;
+  explicit Scene(Builder&& builder, int threads);
+
+  std::vector<Material> materials_;  // one per surface
+  std::vector<std::uint32_t> sphere_materials_;
+  std::vector<TriangleRecord> triangles_;
+  std::vector<SmoothNormals> smooth_normals_;
+  std::vector<AreaLight> lights_;
+  DiscreteDistribution light_choice_;
+  CameraDescription camera_;
+  BuildNotes notes_;
+  EmbreeScene geometry_;
+};
+
+}  // namespace raytracing

@@ -1,0 +1,81 @@
+#include "raytracing/cli/app.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "build_info.h"
+#include "commands.h"
+#include "raytracing/io/errors.h"
+
+namespace raytracing {
+namespace {
+
+struct Command {
+  std::string_view name;
+  int (*run)(const Arguments&);
+};
+
+// The first one is what runs when no command is named.
+constexpr std::array kCommands{
+    Command{"render", render_command},
+};
+
+// As a shell would take it again.
+std::string quoted(std::string_view argument) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string_view::npos)
+    return std::string(argument);
+  std::string result = "'";
+  for (char c : argument) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+int dispatch(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 0; i < argc; ++i)
+    arguments.command_line += (i > 0 ? " " : "") + quoted(argv[i]);
+  arguments.values.assign(argv + 1, argv + argc);
+  const Command* chosen = &kCommands.front();
+  for (const Command& command : kCommands) {
+    if (arguments.values.empty() || arguments.values.front() != command.name) continue;
+    chosen = &command;
+    arguments.values.erase(arguments.values.begin());
+    break;
+  }
+  return chosen->run(arguments);
+}
+
+int fail(int code, std::string_view message) {
+  fmt::print(stderr, "Raytracing: {}\n", message);
+  return code;
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  if (!is_optimised())
+    fmt::print(stderr,
+               "Raytracing: WARNING: built without optimisation; it runs many times slower. "
+               "Configure with cmake --preset release.\n");
+  try {
+    return dispatch(argc, argv);
+  } catch (const UsageError& error) {
+    return fail(kExitUsage, error.what());
+  } catch (const InputError& error) {
+    return fail(kExitBadInput, error.what());
+  } catch (const OutputError& error) {
+    return fail(kExitOutputFailed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kExitCheckFailed, "not enough memory");
+  } catch (const std::exception& error) {
+    return fail(kExitCheckFailed, error.what());
+  }
+}
+
+}  // namespace raytracing

@@ -1,0 +1,61 @@
+#include "build_info.h"
+
+#include <OpenEXR/OpenEXRConfig.h>
+#include <OpenImageIO/oiioversion.h>
+#include <fmt/format.h>
+#include <png.h>
+
+#include "raytracing/geometry/embree_scene.h"
+
+namespace raytracing {
+namespace {
+
+const char* instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__SSE4_2__)
+  return "SSE4.2";
+#elif defined(__SSE2__)
+  return "SSE2";
+#elif defined(__ARM_NEON)
+  return "NEON";
+#else
+  return "scalar";
+#endif
+}
+
+}  // namespace
+
+bool is_optimised() {
+#if defined(__OPTIMIZE__)
+  return true;
+#else
+  return false;
+#endif
+}
+
+std::string program_version() { return RAYTRACING_VERSION; }
+
+std::string build_description() {
+  return fmt::format("{}, {}, {}, {}", RAYTRACING_BUILD_TYPE,
+                     is_optimised() ? "optimised" : "not optimised", "compiler " __VERSION__,
+                     instruction_set());
+}
+
+std::string version_text() {
+  return fmt::format(
+      "Raytracing {}\n"
+      "build: {}\n"
+      "instruction set: {}\n"
+      "ray queries: {}\n"
+      "written: EXR by OpenEXR {}, PNG by libpng {}\n"
+      "read: OBJ, MTL, TOML; pictures, in the tests, by OpenImageIO {}\n",
+      program_version(), build_description(), instruction_set(), embree_version(),
+      OPENEXR_VERSION_STRING, PNG_LIBPNG_VER_STRING, OIIO_VERSION_STRING);
+}
+
+}  // namespace raytracing

@@ -1,0 +1,19 @@
+#pragma once
+// The subcommands, one source file each.
+
+#include <string>
+#include <vector>
+
+namespace raytracing {
+
+/// Arguments of a subcommand, without program and subcommand names; `command_line` is the whole
+/// line as given, for the headers of the pictures.
+struct Arguments {
+  std::vector<std::string> values;
+  std::string command_line;
+};
+
+/// Renders a scene to pictures. Returns the exit code; throws UsageError, InputError, OutputError.
+int render_command(const Arguments& arguments);
+
+}  // namespace raytracing

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "commands.h"
+#include "raytracing/cli/app.h"
+#include "raytracing/io/file.h"
+#include "render_options.h"
+#include "render_outputs.h"
+#include "replay.h"
+#include "signals.h"
+
+namespace raytracing {
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// All files that the run will write, opened before any work is done.
+struct Outputs {
+  std::vector<OutputFile> pictures;
+  std::optional<OutputFile> stats;
+
+  explicit Outputs(const RenderArguments& a) {
+    std::vector<std::string> names = a.outputs;
+    if (names.empty()) names.push_back(std::filesystem::path(a.scene).stem().string() + ".png");
+    for (const std::string& name : names) pictures.emplace_back(name);
+    if (!a.stats.empty()) stats.emplace(a.stats);
+  }
+
+  void write(const RenderRecord& record, bool variance) {
+    const ImageData image = to_image(record, variance);
+    for (OutputFile& file : pictures) {
+      file.write(encode_image(image, image_format(file.path())));
+      file.commit();
+      fmt::print("{}\n", file.path());
+    }
+    if (!stats) return;
+    stats->write(stats_json(record));
+    stats->commit();
+  }
+};
+
+void print_load_report(const LoadReport& report, const SceneFile& scene, bool quiet, bool strict) {
+  for (const LoadReport::Entry& e : report.entries()) {
+    const bool told_when_quiet = e.severity != LoadReport::Severity::ignored;
+    if (quiet && !told_when_quiet) continue;
+    fmt::print(stderr, "{}: {}: {}{}\n", to_string(e.first), to_string(e.severity), e.kind,
+               e.count > 1 ? fmt::format(" ({} times)", e.count) : "");
+  }
+  const std::uint64_t repaired = report.count(LoadReport::Severity::repaired);
+  const std::uint64_t dropped = report.count(LoadReport::Severity::dropped);
+  if (!quiet)
+    fmt::print(stderr, "loaded {} files: {} repaired, {} dropped, {} ignored\n",
+               scene.assets.size() + 1, repaired, dropped,
+               report.count(LoadReport::Severity::ignored));
+  if (strict && repaired + dropped > 0)
+    throw InputError(fmt::format("--strict: {} records repaired, {} dropped", repaired, dropped));
+}
+
+void print_scene_notes(const Scene& scene, bool quiet, bool strict) {
+  const BuildNotes& notes = scene.notes();
+  if (!quiet)
+    fmt::print(stderr, "{} triangles, {} spheres, {} lights\n",
+               scene.geometry().triangles().size(), scene.geometry().spheres().size(),
+               scene.lights().size());
+  if (scene.lights().empty())
+    fmt::print(stderr, "warning: the scene has no light; the picture will be black\n");
+  if (notes.split_lights > 0)
+    fmt::print(stderr, "repaired: {} emitting faces are not flat and convex: each of their "
+               "triangles is a light\n", notes.split_lights);
+  if (notes.zero_area_lights > 0)
+    fmt::print(stderr, "dropped: {} emitting triangles without area\n", notes.zero_area_lights);
+  if (strict && notes.split_lights + notes.zero_area_lights > 0)
+    throw InputError("--strict: emitting faces repaired or dropped");
+}
+
+void print_result(const RenderRecord& r, bool quiet) {
+  const RenderOptions& o = r.options;
+  const DirectMethod& method = *o.shade.method;
+  if (!quiet)
+    fmt::print(stderr, "{}x{}, {} spp, {}{}, {} threads: {:.2f} s, {:.2f} million paths/s\n",
+               o.width, o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
+               o.threads, r.result.render_seconds,
+               1e-6 * static_cast<double>(r.result.paths) / r.result.render_seconds);
+  for (const NonFiniteSample& s : r.result.first_non_finite)
+    fmt::print(stderr, "non-finite sample: --replay {},{},{} --seed {}\n", s.x, s.y, s.sample,
+               o.seed);
+  if (r.result.non_finite_samples > 0)
+    fmt::print(stderr, "warning: {} of {} samples were not finite; they count as black\n",
+               r.result.non_finite_samples, r.result.paths);
+  if (!r.result.complete) fmt::print(stderr, "stopped early: the picture is incomplete\n");
+}
+
+int render_and_write(const RenderArguments& a, const SceneFile& file, const Scene& scene,
+                     const std::string& command_line, double load_seconds, double build_seconds,
+                     Outputs& outputs) {
+  const RenderOptions options = render_options(a, file);
+  const StopOnSignal signals;
+  ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
+  const RenderResult result =
+      render(scene, options, signals.stop(),
+             [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
+  const RenderRecord record{a.scene,      file,         options,      result,
+                            command_line, load_seconds, build_seconds};
+  outputs.write(record, a.variance);
+  display.finish(result.complete);
+  print_result(record, a.quiet);
+  if (signals.signal() != 0) return kExitSignalBase + signals.signal();
+  return a.strict && result.non_finite_samples > 0 ? kExitCheckFailed : kExitGood;
+}
+
+}  // namespace
+
+int render_command(const Arguments& arguments) {
+  const RenderArguments a = parse_render_arguments(arguments);
+  if (a.text) {
+    fmt::print("{}", *a.text);
+    return kExitGood;
+  }
+  const Stopwatch load_time;
+  LoadReport report;
+  SceneFile file = load_scene_file(a.scene, direct_method_names(), report);
+  const double load_seconds = load_time.seconds();
+  print_load_report(report, file, a.quiet, a.strict);
+
+  std::optional<Outputs> outputs;
+  if (!a.replay) outputs.emplace(a);
+  const Stopwatch build_time;
+  const Scene scene(std::move(file.scene), a.threads);
+  const double build_seconds = build_time.seconds();
+  print_scene_notes(scene, a.quiet, a.strict);
+  if (a.replay) {
+    fmt::print("{}", replay_text(scene, render_options(a, file), *a.replay));
+    return kExitGood;
+  }
+  return render_and_write(a, file, scene, arguments.command_line, load_seconds, build_seconds,
+                          *outputs);
+}
+
+}  // namespace raytracing

@@ -1,0 +1,95 @@
+#include "render_outputs.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "build_info.h"
+
+namespace raytracing {
+namespace {
+
+std::int64_t peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{1024} * usage.ru_maxrss;
+}
+
+ImageMetadata metadata(const RenderRecord& r) {
+  const DirectMethod& method = *r.options.shade.method;
+  const auto& depth = r.options.shade.max_depth;
+  return {
+      {"software", "Raytracing " + program_version()},
+      {"build", build_description()},
+      {"argv", r.command_line},
+      {"scene", r.scene_path},
+      {"sceneHash", fmt::format("{:016x}", r.scene.hash)},
+      {"seed", static_cast<std::int64_t>(r.options.seed)},
+      {"spp", static_cast<std::int64_t>(r.options.spp)},
+      {"sampler", std::string(to_string(r.options.sampler))},
+      {"lightSampling", std::string(method.name)},
+      {"lightSamplingBiased", std::string(method.unbiased ? "no" : "yes")},
+      {"maxDepth", depth ? std::to_string(*depth) : "unlimited"},
+      {"threads", static_cast<std::int64_t>(r.options.threads)},
+      {"renderSeconds", r.result.render_seconds},
+      {"nonFiniteSamples", static_cast<std::int64_t>(r.result.non_finite_samples)},
+      {"complete", std::string(r.result.complete ? "yes" : "no, stopped early")},
+  };
+}
+
+}  // namespace
+
+ImageData to_image(const RenderRecord& r, bool variance) {
+  const Film& film = r.result.film;
+  ImageData image;
+  image.width = film.width();
+  image.height = film.height();
+  image.channels = {"R", "G", "B"};
+  if (variance)
+    image.channels.insert(image.channels.end(), {"variance.R", "variance.G", "variance.B"});
+  image.values.reserve(image.channels.size() * film.width() * film.height());
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      const auto append = [&](const DVec3& v) {
+        for (double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
+      };
+      append(film.at(x, y).mean());
+      if (variance) append(film.at(x, y).variance_of_mean());
+    }
+  image.metadata = metadata(r);
+  return image;
+}
+
+std::string stats_json(const RenderRecord& r) {
+  const DirectMethod& method = *r.options.shade.method;
+  const DVec3 mean = r.result.film.mean();
+  nlohmann::ordered_json j;
+  j["scene"] = r.scene_path;
+  j["light_sampling"] = method.name;
+  j["light_sampling_biased"] = !method.unbiased;
+  j["sampler"] = to_string(r.options.sampler);
+  j["spp"] = r.options.spp;
+  j["width"] = r.options.width;
+  j["height"] = r.options.height;
+  j["max_depth"] = nullptr;
+  if (r.options.shade.max_depth) j["max_depth"] = *r.options.shade.max_depth;
+  j["seed"] = r.options.seed;
+  j["threads"] = r.options.threads;
+  j["load_seconds"] = r.load_seconds;
+  j["build_seconds"] = r.build_seconds;
+  j["render_seconds"] = r.result.render_seconds;
+  j["cpu_seconds"] = r.result.cpu_seconds;
+  j["paths"] = r.result.paths;
+  j["paths_per_second"] = static_cast<double>(r.result.paths) / r.result.render_seconds;
+  j["rays_closest"] = r.result.rays.closest;
+  j["rays_shadow"] = r.result.rays.shadow;
+  j["segment_queries"] = r.result.rays.segments;
+  j["peak_rss_bytes"] = peak_rss_bytes();
+  j["non_finite_samples"] = r.result.non_finite_samples;
+  j["complete"] = r.result.complete;
+  j["mean_rgb"] = {mean.x, mean.y, mean.z};
+  return j.dump(2) + "\n";
+}
+
+}  // namespace raytracing

@@ -1,0 +1,162 @@
+#include "raytracing/geometry/embree_scene.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "raytracing/geometry/embree_api.h"
+
+namespace raytracing {
+namespace {
+
+constexpr unsigned kTriangles = 0;  // geometry ids
+constexpr unsigned kSpheres = 1;
+
+// Embree picks AVX-512 where it can, which is slower on small scenes; AVX2 is the widest it needs.
+std::string device_options(int threads) {
+  std::string options = "threads=" + std::to_string(threads);
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) options += ",isa=avx2";
+#endif
+  return options;
+}
+
+void keep_first_error(void* error, RTCError /*code*/, const char* message) {
+  auto& text = *static_cast<std::string*>(error);
+  if (text.empty()) text = std::string("Embree: ") + message;
+}
+
+RTCRay to_embree(const Vec3& origin, const Vec3& direction, float far) {
+  RTCRay ray;
+  ray.org_x = origin.x;
+  ray.org_y = origin.y;
+  ray.org_z = origin.z;
+  ray.tnear = 0;
+  ray.dir_x = direction.x;
+  ray.dir_y = direction.y;
+  ray.dir_z = direction.z;
+  ray.time = 0;
+  ray.tfar = far;
+  ray.mask = ~0u;
+  ray.id = 0;
+  ray.flags = 0;
+  return ray;
+}
+
+const Sphere& sphere_of(void* spheres, unsigned index) {
+  return static_cast<const Sphere*>(spheres)[index];
+}
+
+void sphere_bounds(const RTCBoundsFunctionArguments* args) {
+  const Sphere& s = sphere_of(args->geometryUserPtr, args->primID);
+  const float r = s.radius + position_error(s.max_coordinate());
+  *args->bounds_o = {s.center.x - r, s.center.y - r, s.center.z - r, 0,
+                     s.center.x + r, s.center.y + r, s.center.z + r, 0};
+}
+
+// The first crossing in (tnear, tfar), or nothing.
+std::optional<float> sphere_crossing(const Sphere& sphere, RTCRayN* rays, unsigned n, unsigned i) {
+  const Ray ray{{RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
+                {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)}};
+  const auto crossings = intersect_line(sphere, ray);
+  if (!crossings) return std::nullopt;
+  const float near = RTCRayN_tnear(rays, n, i), far = RTCRayN_tfar(rays, n, i);
+  for (float t : {crossings->first, crossings->second})
+    if (t > near && t < far) return t;
+  return std::nullopt;
+}
+
+void sphere_intersect(const RTCIntersectFunctionNArguments* args) {
+  const Sphere& sphere = sphere_of(args->geometryUserPtr, args->primID);
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const auto t = sphere_crossing(sphere, rays, args->N, i);
+    if (!t) continue;
+    RTCRayN_tfar(rays, args->N, i) = *t;
+    RTCHitN_u(hits, args->N, i) = 0;
+    RTCHitN_v(hits, args->N, i) = 0;
+    RTCHitN_geomID(hits, args->N, i) = args->geomID;
+    RTCHitN_primID(hits, args->N, i) = args->primID;
+  }
+}
+
+void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
+  const Sphere& sphere = sphere_of(args->geometryUserPtr, args->primID);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0 || !sphere_crossing(sphere, args->ray, args->N, i)) continue;
+    RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
+  }
+}
+
+}  // namespace
+
+const char* embree_version() { return "Embree " RTC_VERSION_STRING; }
+
+void EmbreeScene::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+void EmbreeScene::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+
+EmbreeScene::EmbreeScene(std::vector<Vec3> positions, std::vector<Triangle> triangles,
+                         std::vector<Sphere> spheres, int threads)
+    : positions_(std::move(positions)),
+      position_count_(positions_.size()),
+      triangles_(std::move(triangles)),
+      spheres_(std::move(spheres)) {
+  positions_.emplace_back(0.0f);
+  std::string error;
+  device_.reset(rtcNewDevice(device_options(threads).c_str()));
+  if (!device_) throw std::runtime_error("Embree: no device");
+  rtcSetDeviceErrorFunction(device_.get(), keep_first_error, &error);
+  scene_.reset(rtcNewScene(device_.get()));
+  rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  if (!triangles_.empty()) add_triangles();
+  if (!spheres_.empty()) add_spheres();
+  rtcCommitScene(scene_.get());
+  rtcSetDeviceErrorFunction(device_.get(), nullptr, nullptr);
+  if (!error.empty()) throw std::runtime_error(error);
+}
+
+void EmbreeScene::add_triangles() {
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             positions_.data(), 0, sizeof(Vec3), position_count_);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             triangles_.data(), 0, sizeof(Triangle), triangles_.size());
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_.get(), geometry, kTriangles);
+  rtcReleaseGeometry(geometry);
+}
+
+void EmbreeScene::add_spheres() {
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(spheres_.size()));
+  rtcSetGeometryUserData(geometry, spheres_.data());
+  rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, sphere_intersect);
+  rtcSetGeometryOccludedFunction(geometry, sphere_occluded);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_.get(), geometry, kSpheres);
+  rtcReleaseGeometry(geometry);
+}
+
+std::optional<Hit> EmbreeScene::closest_hit(const Ray& ray) const {
+  RTCRayHit query;
+  query.ray = to_embree(ray.origin, ray.direction, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect1(scene_.get(), query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const auto kind = query.hit.geomID == kTriangles ? Hit::Kind::triangle : Hit::Kind::sphere;
+  return Hit{kind, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+}
+
+bool EmbreeScene::occluded(const Vec3& from, const Vec3& to) const {
+  RTCRay query = to_embree(from, to - from, 1.0f);
+  embree::occluded1(scene_.get(), query);
+  return query.tfar < 0;
+}
+
+}  // namespace raytracing

@@ -1,0 +1,22 @@
+#pragma once
+// The methods, one source file each. Only the table and the methods themselves include this.
+
+#include "raytracing/integrator/direct_method.h"
+
+namespace raytracing {
+
+Rgb estimate_point(const DirectQuery& query, Visibility& visibility);
+
+Rgb estimate_solid_angle(const DirectQuery& query, Visibility& visibility);
+
+Rgb estimate_line_ratio(const DirectQuery& query, Visibility& visibility);
+
+/// f(wo,wi) |cos wi| of the vertex for light from the point `q`; black below either horizon.
+/// `mis_weight` takes the local direction wi to the balance weight of the light sample.
+Rgb reflected(const Vertex& vertex, const Vec3& direction);
+
+/// The weight of a light sample in the direction `wi` (world, unit) with density `pdf_w`, against
+/// BSDF sampling of the same light (balance heuristic); 1 where the material does without.
+float light_sample_weight(const DirectQuery& query, const Vec3& wi, float pdf_w);
+
+}  // namespace raytracing

@@ -1,0 +1,104 @@
+// The integrand. A path of k reflections carries to the viewer
+//
+//   L_k = f_1 cos_1 / p_1 * ... * f_k-1 cos_k-1 / p_k-1   throughput of the bounces before
+//         / (q_4 ... )                                    survival of roulette, from depth 4 on
+//         * D(x_k)                                        direct light at its last vertex
+//
+// where p is the density of BSDF sampling and D the estimate of the chosen method from one light,
+// over the light's probability. A camera ray that meets a light adds its emission. A bounce that
+// meets a light adds it only with the weight that the method left to BSDF sampling (balance
+// heuristic): none where the method has no density, or where the material asks for none.
+
+#include "raytracing/integrator/shade.h"
+
+#include "raytracing/materials/bsdf.h"
+#include "raytracing/sampling/warp.h"
+
+namespace raytracing {
+namespace {
+
+// Pairs of the sampler: 0 is the position in the pixel, then three for each vertex.
+constexpr std::uint32_t kPairsPerVertex = 3;
+constexpr std::uint32_t light_pair(std::uint32_t vertex) { return 1 + kPairsPerVertex * vertex; }
+constexpr std::uint32_t bsdf_pair(std::uint32_t vertex) { return light_pair(vertex) + 1; }
+constexpr std::uint32_t choice_pair(std::uint32_t vertex) { return light_pair(vertex) + 2; }
+
+constexpr std::uint32_t kUnlimited = ~0u;
+constexpr std::uint32_t kRouletteDepth = 4;
+// Below 1, so that a path in a room without losses ends.
+constexpr float kLargestSurvival = 0.95f;
+
+struct Bounce {
+  Vec3 from;
+  float pdf_w;   // of BSDF sampling
+  bool counted;  // whether light that it meets shall count
+};
+
+// What a vertex that lies on a light emits to the viewer, as far as it is counted here.
+Rgb emission(const Scene& scene, const DirectMethod& method, const Vertex& v,
+             const Bounce* bounce) {
+  if (v.light == kNone) return Rgb(0.0f);
+  const AreaLight& light = scene.lights()[v.light];
+  if (bounce == nullptr) return light.Le;
+  if (!bounce->counted) return Rgb(0.0f);
+  const float light_pdf =
+      scene.light_pmf(v.light) * method.pdf_w(light, bounce->from, v.position);
+  return light.Le * balance_heuristic(bounce->pdf_w, light_pdf);
+}
+
+Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& v,
+                 std::uint32_t pair, float choice, PathSampler& sampler,
+                 Visibility& visibility) {
+  if (scene.lights().empty()) return Rgb(0.0f);
+  const auto chosen = scene.choose_light(choice);
+  const AreaLight& light = scene.lights()[chosen.index];
+  const DirectQuery query{v,       light, chosen.pmf,       sampler.pair(pair),
+                          sampler, pair,  options.line_rays};
+  return options.method->estimate(query, visibility) / chosen.pmf;
+}
+
+}  // namespace
+
+Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler& sampler,
+          Visibility& visibility, PathLog* log) {
+  Rgb radiance(0.0f), throughput(1.0f);
+  Bounce bounce{};
+  const std::uint32_t max_depth = options.max_depth.value_or(kUnlimited);
+  for (std::uint32_t depth = 0;; ++depth) {
+    const std::optional<Hit> hit = visibility.closest_hit(ray);
+    if (!hit) break;
+    const Vertex v = scene.vertex(ray, *hit);
+    const Rgb emitted =
+        throughput * emission(scene, *options.method, v, depth == 0 ? nullptr : &bounce);
+    radiance += emitted;
+    if (log) log->steps.push_back({v.position, v.ng, throughput, emitted, Rgb(0), v.light, 0});
+    if (depth == max_depth) break;
+
+    const Vec2 choice = sampler.pair(choice_pair(depth));
+    const Rgb direct = throughput * direct_light(scene, options, v, light_pair(depth), choice.x,
+                                                 sampler, visibility);
+    radiance += direct;
+    if (log) log->steps.back().direct = direct;
+
+    const bool counted = options.method->uses_mis(*v.material);
+    if (depth + 1 == max_depth && !counted) break;
+    const auto sample = sample_bsdf(*v.material, v.wo, sampler.pair(bsdf_pair(depth)));
+    if (!sample) break;
+    const Vec3 wi = v.shading.to_world(sample->wi);
+    if (dot(wi, v.ng) <= 0) break;
+    throughput *= sample->weight;
+
+    float survival = 1;
+    if (depth + 1 >= kRouletteDepth) {
+      survival = std::min(kLargestSurvival, max_component(throughput));
+      if (!(choice.y < survival)) break;
+      throughput /= survival;
+    }
+    if (log) log->steps.back().survival = survival;
+    bounce = {v.position, sample->pdf_w, counted};
+    ray = {v.ray_origin(), wi};
+  }
+  return radiance;
+}
+
+}  // namespace raytracing

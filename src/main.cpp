@@ -1,0 +1,3 @@
+#include "raytracing/cli/app.h"
+
+int main(int argc, char** argv) { return raytracing::run(argc, argv); }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "raytracing/materials/bsdf.h"
+#include "raytracing/sampling/warp.h"
+
+namespace raytracing {
+
+inline Rgb eval_cos(const Diffuse& diffuse, const Vec3& /*wo*/, const Vec3& wi) {
+  return diffuse.reflectance * cosine_hemisphere_pdf_w(wi.z);
+}
+
+inline float bsdf_pdf_w(const Diffuse&, const Vec3& /*wo*/, const Vec3& wi) {
+  return cosine_hemisphere_pdf_w(wi.z);
+}
+
+inline std::optional<BsdfSample> sample_bsdf(const Diffuse& diffuse, const Vec3& /*wo*/,
+                                             const Vec2& u) {
+  const Vec3 wi = square_to_cosine_hemisphere(u);
+  if (wi.z <= 0) return std::nullopt;
+  return BsdfSample{wi, diffuse.reflectance, cosine_hemisphere_pdf_w(wi.z)};
+}
+
+}  // namespace raytracing

@@ -1,0 +1,88 @@
+#include "raytracing/sampling/spherical.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "raytracing/math/numeric.h"
+
+namespace raytracing {
+
+SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& from)
+    : from_(from), x_(rectangle.x), y_(rectangle.y), z_(cross(rectangle.x, rectangle.y)) {
+  const Vec3 d = rectangle.corner - from;
+  x0_ = dot(d, x_);
+  y0_ = dot(d, y_);
+  z0_ = dot(d, z_);
+  if (z0_ > 0) {
+    z_ = -z_;
+    z0_ = -z0_;
+  }
+  x1_ = x0_ + rectangle.width;
+  y1_ = y0_ + rectangle.height;
+
+  // z components of the unit normals of the planes through `from` and each edge.
+  const float zz = z0_ * z0_;
+  const float n0 = -y0_ / std::sqrt(zz + y0_ * y0_);
+  const float n1 = x1_ / std::sqrt(zz + x1_ * x1_);
+  const float n2 = y1_ / std::sqrt(zz + y1_ * y1_);
+  const float n3 = -x0_ / std::sqrt(zz + x0_ * x0_);
+  const float g0 = safe_acos(-n0 * n1);
+  const float g1 = safe_acos(-n1 * n2);
+  const float g2 = safe_acos(-n2 * n3);
+  const float g3 = safe_acos(-n3 * n0);
+  b0_ = n0;
+  b1_ = n2;
+  k_ = 2 * kPi - g2 - g3;
+  solid_angle_ = g0 + g1 - k_;
+}
+
+Vec3 SphericalRectangle::sample(const Vec2& u) const {
+  const float au = u.x * solid_angle_ + k_;
+  const float fu = (std::cos(au) * b0_ - b1_) / std::sin(au);
+  const float cu = std::clamp(std::copysign(1.0f, fu) / std::sqrt(fu * fu + b0_ * b0_), -1.0f, 1.0f);
+  const float xu = std::clamp(-(cu * z0_) / safe_sqrt(1 - cu * cu), x0_, x1_);
+  const float d = std::sqrt(xu * xu + z0_ * z0_);
+  const float h0 = y0_ / std::sqrt(d * d + y0_ * y0_);
+  const float h1 = y1_ / std::sqrt(d * d + y1_ * y1_);
+  const float hv = h0 + u.y * (h1 - h0);
+  const float yv = std::clamp(hv * d / safe_sqrt((1 - hv) * (1 + hv)), y0_, y1_);
+  return from_ + xu * x_ + yv * y_ + z0_ * z_;
+}
+
+SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const Vec3& from)
+    : a_(normalize(DVec3(corners[0]) - DVec3(from))),
+      b_(normalize(DVec3(corners[1]) - DVec3(from))),
+      c_(normalize(DVec3(corners[2]) - DVec3(from))) {
+  const double volume = std::abs(dot(a_, cross(b_, c_)));
+  const double denominator = 1 + dot(a_, b_) + dot(b_, c_) + dot(c_, a_);
+  solid_angle_ = 2 * std::atan2(volume, denominator);
+  const DVec3 n_ab = cross(a_, b_);
+  const DVec3 n_ac = cross(a_, c_);
+  alpha_ = std::atan2(length(cross(n_ab, n_ac)), dot(n_ab, n_ac));
+  cos_c_ = dot(a_, b_);
+}
+
+std::optional<Vec3> SphericalTriangle::sample(const Vec2& u) const {
+  if (!(solid_angle_ > 0)) return std::nullopt;
+  // The sub-triangle (A, B, C') with the share u.x of the area: Arvo's q is cos of the arc AC'.
+  const double phi = u.x * solid_angle_ - alpha_;
+  const double s = std::sin(phi), t = std::cos(phi);
+  const double sin_alpha = std::sin(alpha_), cos_alpha = std::cos(alpha_);
+  const double p = t - cos_alpha;
+  const double r = s + sin_alpha * cos_c_;
+  const double denominator = (r * s + p * t) * sin_alpha;
+  if (denominator == 0) return std::nullopt;
+  const double q = std::clamp(((r * t - p * s) * cos_alpha - r) / denominator, -1.0, 1.0);
+  const DVec3 towards_c = c_ - dot(c_, a_) * a_;
+  const DVec3 c_prime =
+      q * a_ + std::sqrt(std::max(0.0, 1 - q * q)) * (towards_c / length(towards_c));
+  // A point on the arc from B to C', uniform in the cosine of its distance from B.
+  const double z = 1 - u.y * (1 - dot(c_prime, b_));
+  const DVec3 towards = c_prime - dot(c_prime, b_) * b_;
+  const double span = length(towards);
+  if (!(span > 0)) return Vec3(b_);
+  return Vec3(z * b_ + std::sqrt(std::max(0.0, (1 - z) * (1 + z))) * (towards / span));
+}
+
+}  // namespace raytracing

@@ -1,0 +1,123 @@
+#include "scene_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "raytracing/geometry/triangulate.h"
+
+namespace raytracing {
+namespace {
+
+// Largest distance of a corner from the polygon's mean plane, over the polygon's size.
+double relative_flatness(std::span<const Vec3> corners, const DVec3& normal) {
+  DVec3 center(0.0);
+  for (const Vec3& c : corners) center += DVec3(c) / static_cast<double>(corners.size());
+  double height = 0, size = 0;
+  for (const Vec3& c : corners) {
+    const DVec3 d = DVec3(c) - center;
+    height = std::max(height, std::abs(dot(d, normal)));
+    size = std::max(size, length(d));
+  }
+  return height / size;
+}
+
+// A light's formulas take its corners as planar; 1e-5 of its size is what a text file's six or
+// seven digits leave.
+bool can_be_one_light(std::span<const Vec3> corners) {
+  const DVec3 normal = newell_normal(corners);
+  return is_convex(corners) && relative_flatness(corners, normalize(normal)) < 1e-5;
+}
+
+DVec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const DVec3 n = cross(DVec3(b) - DVec3(a), DVec3(c) - DVec3(a));
+  const double l = length(n);
+  // Embree never reports a hit on a triangle without area; any direction will do.
+  return l > 0 ? n / l : DVec3(0, 0, 1);
+}
+
+}  // namespace
+
+Scene::Builder::Builder(SceneDescription description) : camera(description.camera) {
+  for (const Surface& surface : description.surfaces) materials.push_back(surface.material);
+  for (const SphereDescription& sphere : description.spheres) {
+    spheres.push_back({sphere.center, sphere.radius});
+    sphere_materials.push_back(sphere.surface);
+  }
+  std::size_t triangle_count = 0;
+  for (const PolygonMesh& mesh : description.meshes)
+    triangle_count += mesh.corners.size() - 2 * mesh.faces.size();
+  records.reserve(triangle_count);
+  triangles.reserve(triangle_count);
+  for (PolygonMesh& mesh : description.meshes) {
+    add_mesh(mesh, description.surfaces);
+    mesh = {};  // large scenes need the room
+  }
+}
+
+void Scene::Builder::add_mesh(const PolygonMesh& mesh, std::span<const Surface> surfaces) {
+  const auto base = static_cast<std::uint32_t>(positions.size());
+  positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+  for (const PolygonMesh::Face& face : mesh.faces)
+    add_face(mesh, face, base, surfaces[face.material]);
+}
+
+void Scene::Builder::add_face(const PolygonMesh& mesh, const PolygonMesh::Face& face,
+                              std::uint32_t base, const Surface& surface) {
+  const PolygonMesh::Corner* corners = &mesh.corners[face.first_corner];
+  face_positions_.clear();
+  for (std::uint32_t i = 0; i < face.corner_count; ++i)
+    face_positions_.push_back(mesh.positions[corners[i].position]);
+
+  const bool emits = !is_black(surface.Le);
+  std::uint32_t light = kNone;
+  const bool one_light = emits && can_be_one_light(face_positions_);
+  if (one_light) light = add_light(face_positions_, surface.Le);
+  if (emits && !one_light) ++notes.split_lights;
+
+  for (const std::array<std::uint32_t, 3>& t : triangulate(face_positions_)) {
+    TriangleRecord record;
+    float max_coordinate = 0;
+    EmbreeScene::Triangle indices;
+    const PolygonMesh::Corner* triangle_corners[3];
+    for (int i = 0; i < 3; ++i) {
+      record.corners[i] = face_positions_[t[i]];
+      max_coordinate = std::max(max_coordinate, max_component(absolute(record.corners[i])));
+      triangle_corners[i] = &corners[t[i]];
+      indices.corners[i] = base + corners[t[i]].position;
+    }
+    record.ng = Vec3(unit_normal(record.corners[0], record.corners[1], record.corners[2]));
+    record.error = position_error(max_coordinate);
+    record.surface = face.material;
+    record.light = emits && !one_light ? add_light(record.corners, surface.Le) : light;
+    record.normals = add_normals(mesh, triangle_corners, record.ng);
+    records.push_back(record);
+    triangles.push_back(indices);
+  }
+}
+
+std::uint32_t Scene::Builder::add_light(std::span<const Vec3> corners, const Rgb& Le) {
+  if (!(length(newell_normal(corners)) > 0)) {
+    ++notes.zero_area_lights;
+    return kNone;
+  }
+  lights.emplace_back(corners, Le);
+  return static_cast<std::uint32_t>(lights.size() - 1);
+}
+
+std::uint32_t Scene::Builder::add_normals(const PolygonMesh& mesh,
+                                          const PolygonMesh::Corner* const corners[3],
+                                          const Vec3& ng) {
+  SmoothNormals smooth;
+  for (int i = 0; i < 3; ++i) {
+    if (corners[i]->normal == kNone) return kNone;
+    smooth.corners[i] = normalize(mesh.normals[corners[i]->normal]);
+  }
+  // The winding decides which side a face shows; normals that disagree are turned round.
+  if (dot(smooth.corners[0] + smooth.corners[1] + smooth.corners[2], ng) < 0)
+    for (Vec3& n : smooth.corners) n = -n;
+  smooth_normals.push_back(smooth);
+  return static_cast<std::uint32_t>(smooth_normals.size() - 1);
+}
+
+}  // namespace raytracing
