@@ -1,0 +1,217 @@
+#include "raytracing/geometry/triangulate.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace raytracing {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+using DVec2 = glm::dvec2;
+
+// a * b - c * d with an error of at most 1.5 ulp (Kahan; Jeannerod et al. 2013). It is exactly zero
+// when the products are equal, which a compiler's own fused multiply-add would spoil.
+double difference_of_products(double a, double b, double c, double d) {
+  const double cd = c * d;
+  const double error = std::fma(-c, d, cd);
+  return std::fma(a, b, -cd) + error;
+}
+
+DVec3 exact_cross(const DVec3& a, const DVec3& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+// Twice the signed area of the triangle abc; positive when it runs counter-clockwise.
+double orient(const DVec2& a, const DVec2& b, const DVec2& c) {
+  return difference_of_products(b.x - a.x, c.y - a.y, b.y - a.y, c.x - a.x);
+}
+
+// The polygon without its longest normal component, counter-clockwise. Leaving out an axis instead
+// of turning the plane keeps the coordinates as they were, and so collinear corners collinear.
+std::vector<DVec2> project(std::span<const Vec3> corners, const DVec3& normal) {
+  const DVec3 size = glm::abs(normal);
+  const int dropped = size.z >= size.x && size.z >= size.y ? 2 : (size.y >= size.x ? 1 : 0);
+  int u = (dropped + 1) % 3;
+  int v = (dropped + 2) % 3;
+  if (normal[dropped] < 0) std::swap(u, v);
+  std::vector<DVec2> points;
+  points.reserve(corners.size());
+  for (const Vec3& corner : corners) points.emplace_back(corner[u], corner[v]);
+  return points;
+}
+
+struct Convexity {
+  bool convex;
+  bool strict;  // no collinear or repeated corners either
+};
+
+// Every turn must go left, and the edges must change between left and right exactly twice: more
+// changes mean that the polygon winds around more than once, like a pentagram.
+Convexity convexity(const std::vector<DVec2>& points) {
+  const std::size_t n = points.size();
+  bool strict = true;
+  std::vector<DVec2> distinct;
+  distinct.reserve(n);
+  for (const DVec2& point : points) {
+    if (distinct.empty() || point != distinct.back()) distinct.push_back(point);
+  }
+  while (distinct.size() > 1 && distinct.back() == distinct.front()) distinct.pop_back();
+  if (distinct.size() < n) strict = false;
+  int changes = 0;
+  double last = 0;
+  const std::size_t m = distinct.size();
+  for (std::size_t i = 0; i < 2 * m; ++i) {  // the first round only finds the last direction
+    const DVec2& a = distinct[i % m];
+    const DVec2& b = distinct[(i + 1) % m];
+    const DVec2& c = distinct[(i + 2) % m];
+    const double turn = orient(a, b, c);
+    if (turn < 0 || (turn == 0 && glm::dot(b - a, c - b) < 0)) return {false, false};
+    if (turn == 0) strict = false;
+    const double dx = b.x - a.x;
+    if (dx == 0) continue;
+    if (i >= m && last * dx < 0) ++changes;
+    last = dx > 0 ? 1 : -1;
+  }
+  return {changes <= 2, changes <= 2 && strict};
+}
+
+std::vector<Triangle> fan(std::uint32_t n) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(n - 2);
+  for (std::uint32_t i = 1; i + 1 < n; ++i) triangles.push_back({0, i, i + 1});
+  return triangles;
+}
+
+// Ear clipping on a ring of the corners that are left.
+class EarClipper {
+ public:
+  explicit EarClipper(const std::vector<DVec2>& points)
+      : points_(points), next_(points.size()), previous_(points.size()), left_(points.size()) {
+    const auto n = static_cast<std::uint32_t>(points.size());
+    for (std::uint32_t i = 0; i < n; ++i) {
+      next_[i] = (i + 1) % n;
+      previous_[i] = (i + n - 1) % n;
+    }
+    reflex_.reserve(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (turn(i) <= 0) reflex_.push_back(i);
+    }
+    triangles_.reserve(n - 2);
+  }
+
+  std::vector<Triangle> run() {
+    // A polygon that touches itself may have ears only when touching is allowed; one that crosses
+    // itself may have none at all, and then any corner has to do. A search without result is the
+    // slow case, so a hopeless polygon is not searched again for each of its corners.
+    int patience = 64;
+    std::uint32_t at = 0;
+    while (left_ > 3) {
+      std::uint32_t tip = at;
+      if (patience > 0 && !find(tip, Touching::blocks) && !find(tip, Touching::allowed)) {
+        --patience;
+      }
+      at = next_[next_[tip]];  // not the neighbour: fans of slivers would grow around it
+      clip(tip);
+    }
+    triangles_.push_back({previous_[at], at, next_[at]});
+    return std::move(triangles_);
+  }
+
+ private:
+  enum class Touching { blocks, allowed };
+
+  double turn(std::uint32_t i) const {
+    return orient(points_[previous_[i]], points_[i], points_[next_[i]]);
+  }
+
+  // A corner where the boundary turns back on itself, or that repeats its neighbour.
+  bool is_spike(std::uint32_t i) const {
+    const DVec2 in = points_[i] - points_[previous_[i]];
+    const DVec2 out = points_[next_[i]] - points_[i];
+    return turn(i) == 0 && glm::dot(in, out) <= 0;
+  }
+
+  bool is_ear(std::uint32_t tip, Touching touching) const {
+    if (is_spike(tip)) return true;
+    const DVec2& a = points_[previous_[tip]];
+    const DVec2& b = points_[tip];
+    const DVec2& c = points_[next_[tip]];
+    if (orient(a, b, c) <= 0) return false;
+    const DVec2 low = glm::min(a, glm::min(b, c));
+    const DVec2 high = glm::max(a, glm::max(b, c));
+    for (const std::uint32_t other : reflex_) {
+      const DVec2& p = points_[other];
+      if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) continue;
+      if (p == a || p == b || p == c) continue;  // itself, or the other end of a bridge
+      const double inside =
+          std::min(orient(a, b, p), std::min(orient(b, c, p), orient(c, a, p)));
+      if (inside > 0 || (inside == 0 && touching == Touching::blocks)) return false;
+    }
+    return true;
+  }
+
+  // Moves `tip` on to the next ear; leaves it where it was when there is none.
+  bool find(std::uint32_t& tip, Touching touching) const {
+    std::uint32_t candidate = tip;
+    for (std::size_t tries = 0; tries < left_; ++tries, candidate = next_[candidate]) {
+      if (!is_ear(candidate, touching)) continue;
+      tip = candidate;
+      return true;
+    }
+    return false;
+  }
+
+  void clip(std::uint32_t tip) {
+    const std::uint32_t before = previous_[tip];
+    const std::uint32_t after = next_[tip];
+    triangles_.push_back({before, tip, after});
+    next_[before] = after;
+    previous_[after] = before;
+    --left_;
+    // Clipping an ear only ever opens the corners beside it, so that corners leave the list but
+    // seldom join it; joining happens where the polygon is not simple.
+    std::erase_if(reflex_, [&](std::uint32_t i) { return i == tip || i == before || i == after; });
+    if (turn(before) <= 0) reflex_.push_back(before);
+    if (turn(after) <= 0) reflex_.push_back(after);
+  }
+
+  const std::vector<DVec2>& points_;
+  std::vector<std::uint32_t> next_, previous_;
+  std::vector<std::uint32_t> reflex_;  // corners that do not turn left: only they can block an ear
+  std::size_t left_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace
+
+DVec3 newell_normal(std::span<const Vec3> corners) {
+  DVec3 sum(0.0);
+  if (corners.size() < 3) return sum;
+  const DVec3 origin(corners[0]);
+  DVec3 previous = DVec3(corners[1]) - origin;
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const DVec3 current = DVec3(corners[i]) - origin;
+    sum += exact_cross(previous, current);
+    previous = current;
+  }
+  return sum;
+}
+
+bool is_convex(std::span<const Vec3> corners) {
+  const DVec3 normal = newell_normal(corners);
+  return normal != DVec3(0.0) && convexity(project(corners, normal)).convex;
+}
+
+std::vector<Triangle> triangulate(std::span<const Vec3> corners) {
+  const auto n = static_cast<std::uint32_t>(corners.size());
+  if (n < 3) return {};
+  if (n == 3) return {{0, 1, 2}};
+  const DVec3 normal = newell_normal(corners);
+  if (normal == DVec3(0.0)) return fan(n);  // no area to conserve and no plane to work in
+  const std::vector<DVec2> points = project(corners, normal);
+  if (convexity(points).strict) return fan(n);
+  return EarClipper(points).run();
+}
+
+}  // namespace raytracing
