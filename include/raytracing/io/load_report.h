@@ -24,8 +24,9 @@ class LoadReport {
     std::uint64_t count;
   };
 
-  /// Counts one event of this kind; the first place is kept.
-  void add(Severity severity, const std::string& kind, const TextLocation& where);
+  /// Counts events of this kind; the first place is kept.
+  void add(Severity severity, const std::string& kind, const TextLocation& where,
+           std::uint64_t count = 1);
 
   const std::vector<Entry>& entries() const { return entries_; }  ///< in order of first appearance
   std::uint64_t count(Severity severity) const;

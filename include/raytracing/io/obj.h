@@ -9,7 +9,7 @@
 
 namespace raytracing {
 
-/// The contents of one OBJ file. Face::material indexes `material_names`.
+/// The contents of one OBJ file. Face::material indexes `materials`.
 struct ObjModel {
   struct Library {
     std::string name;  ///< as written after mtllib; may hold spaces

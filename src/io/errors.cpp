@@ -1,0 +1,34 @@
+#include "raytracing/io/errors.h"
+
+namespace raytracing {
+namespace {
+
+// File names and quoted text may hold line breaks; a message must not.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  return text;
+}
+
+std::string with_place(const TextLocation& where, const std::string& message) {
+  const std::string place = to_string(where);
+  return one_line(place.empty() ? message : place + ": " + message);
+}
+
+}  // namespace
+
+std::string to_string(const TextLocation& where) {
+  std::string text = where.file;
+  for (const long number : {where.line, where.column}) {
+    if (number <= 0) break;
+    if (!text.empty()) text += ':';
+    text += std::to_string(number);
+  }
+  return text;
+}
+
+InputError::InputError(const TextLocation& where, const std::string& message)
+    : std::runtime_error(with_place(where, message)) {}
+
+}  // namespace raytracing
