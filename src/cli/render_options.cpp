@@ -29,12 +29,6 @@ int default_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// The values of an option that takes one of a few words.
-template <class T>
-CLI::CheckedTransformer one_of(std::vector<std::pair<std::string, T>> values) {
-  return CLI::CheckedTransformer(std::move(values));
-}
-
 RenderArguments::Replay parse_replay(const std::string& text) {
   RenderArguments::Replay replay{};
   int end = 0;
@@ -49,6 +43,8 @@ struct OptionList {
   CLI::App app{"Renders a scene to pictures. `render` may be left out.", "Raytracing render"};
   RenderArguments& a;
   std::string replay;
+  std::string sampler = "sobol";
+  std::string progress = "auto";
   bool list_methods = false;
   bool version = false;
 
@@ -90,10 +86,9 @@ struct OptionList {
                    "unlimited, with Russian roulette")
         ->check(CLI::Range(1u, 1u << 30));
     app.add_option("--seed", a.seed, "Seed of the random numbers")->capture_default_str();
-    app.add_option("--sampler", a.sampler, "Source of the random numbers; default sobol")
-        ->type_name("")
-        ->transform(one_of<SamplerKind>(
-            {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}}));
+    app.add_option("--sampler", sampler, "Source of the random numbers")
+        ->check(CLI::IsMember({"sobol", "independent"}))
+        ->capture_default_str();
     app.add_option("--threads", a.threads,
                    "Threads; default: as many as the machine has. The picture does not depend on it")
         ->check(CLI::Range(1, kMaxThreads));
@@ -101,13 +96,10 @@ struct OptionList {
 
   void add_report_options() {
     app.add_option("--stats", a.stats, "Write statistics as JSON")->type_name("FILE.json");
-    app.add_option("--progress", a.progress,
-                   "How progress is shown on stderr; auto = a bar on a terminal; default auto")
-        ->type_name("")
-        ->transform(one_of<ProgressStyle>({{"auto", ProgressStyle::automatic},
-                                           {"bar", ProgressStyle::bar},
-                                           {"jsonl", ProgressStyle::jsonl},
-                                           {"none", ProgressStyle::none}}));
+    app.add_option("--progress", progress,
+                   "How progress is shown on stderr; auto = a bar on a terminal")
+        ->check(CLI::IsMember({"auto", "bar", "jsonl", "none"}))
+        ->capture_default_str();
     app.add_flag("--quiet", a.quiet, "No progress and no summary; errors and warnings still come");
     app.add_flag("--strict", a.strict,
                  "Repaired or dropped input is an error (exit code 3), and so are non-finite "
@@ -145,6 +137,8 @@ RenderArguments parse_render_arguments(const Arguments& arguments) {
   if (options.version) a.text = version_text();
   if (a.text) return a;
   if (a.scene.empty()) throw_usage("no scene file given");
+  a.sampler = *sampler_kind(options.sampler);
+  a.progress = *progress_style(options.progress);
   if (!options.replay.empty()) a.replay = parse_replay(options.replay);
   for (const std::string& output : a.outputs) image_format(output);
   return a;

@@ -152,7 +152,7 @@ class Job {
 
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::atomic<bool>& stop, const ProgressCallback& progress) {
-  RenderResult result{.film = Film(options.width, options.height)};
+  RenderResult result(Film(options.width, options.height));
   const auto start = std::chrono::steady_clock::now();
   {
     Job job(scene, options, stop, progress, result);

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "raytracing/integrator/shade.h"
@@ -29,6 +30,8 @@ struct NonFiniteSample {
 };
 
 struct RenderResult {
+  explicit RenderResult(Film empty) : film(std::move(empty)) {}
+
   Film film;
   RayCounts rays;
   std::uint64_t paths = 0;
