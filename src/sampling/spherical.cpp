@@ -7,6 +7,19 @@
 #include "raytracing/math/numeric.h"
 
 namespace raytracing {
+namespace {
+
+// The angle whose cosine is -a b, as a unit complex number (cosine, sine).
+Vec2 inner_angle(float a, float b) {
+  const float c = -a * b;
+  return {c, safe_sqrt((1 - c) * (1 + c))};
+}
+
+Vec2 complex_product(const Vec2& a, const Vec2& b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+}  // namespace
 
 SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& from)
     : from_(from), x_(rectangle.x), y_(rectangle.y), z_(cross(rectangle.x, rectangle.y)) {
@@ -27,26 +40,30 @@ SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& f
   const float n1 = x1_ / std::sqrt(zz + x1_ * x1_);
   const float n2 = y1_ / std::sqrt(zz + y1_ * y1_);
   const float n3 = -x0_ / std::sqrt(zz + x0_ * x0_);
-  const float g0 = safe_acos(-n0 * n1);
-  const float g1 = safe_acos(-n1 * n2);
-  const float g2 = safe_acos(-n2 * n3);
-  const float g3 = safe_acos(-n3 * n0);
+  // The rectangle's inner angles on the sphere as unit complex numbers; their product turns by
+  // solid angle + 2 pi. Ureña's k = 2 pi - g2 - g3 stays a complex number too.
+  const Vec2 g01 = complex_product(inner_angle(n0, n1), inner_angle(n1, n2));
+  const Vec2 g23 = complex_product(inner_angle(n2, n3), inner_angle(n3, n0));
+  const Vec2 all = complex_product(g01, g23);
   b0_ = n0;
   b1_ = n2;
-  k_ = 2 * kPi - g2 - g3;
-  solid_angle_ = g0 + g1 - k_;
+  k_ = {g23.x, -g23.y};
+  solid_angle_ = std::atan2(all.y, all.x);
+  if (solid_angle_ < 0) solid_angle_ += 2 * kPi;
 }
 
 Vec3 SphericalRectangle::sample(const Vec2& u) const {
-  const float au = u.x * solid_angle_ + k_;
-  const float fu = (std::cos(au) * b0_ - b1_) / std::sin(au);
-  const float cu = std::clamp(std::copysign(1.0f, fu) / std::sqrt(fu * fu + b0_ * b0_), -1.0f, 1.0f);
-  const float xu = std::clamp(-(cu * z0_) / safe_sqrt(1 - cu * cu), x0_, x1_);
-  const float d = std::sqrt(xu * xu + z0_ * z0_);
-  const float h0 = y0_ / std::sqrt(d * d + y0_ * y0_);
-  const float h1 = y1_ / std::sqrt(d * d + y1_ * y1_);
+  const float turn = u.x * solid_angle_;
+  const Vec2 au = complex_product(k_, {std::cos(turn), std::sin(turn)});
+  const float fu = (au.x * b0_ - b1_) / au.y;
+  const float cu2 = 1 / (fu * fu + b0_ * b0_);
+  const float cu = std::copysign(std::sqrt(std::min(cu2, 1.0f)), fu);
+  const float xu = std::clamp(-(cu * z0_) / safe_sqrt(1 - cu2), x0_, x1_);
+  const float d2 = xu * xu + z0_ * z0_;
+  const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
+  const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
   const float hv = h0 + u.y * (h1 - h0);
-  const float yv = std::clamp(hv * d / safe_sqrt((1 - hv) * (1 + hv)), y0_, y1_);
+  const float yv = std::clamp(hv * std::sqrt(d2) / safe_sqrt((1 - hv) * (1 + hv)), y0_, y1_);
   return from_ + xu * x_ + yv * y_ + z0_ * z_;
 }
 

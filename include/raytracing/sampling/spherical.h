@@ -29,7 +29,8 @@ class SphericalRectangle {
  private:
   Vec3 from_, x_, y_, z_;
   float x0_, y0_, z0_, x1_, y1_;
-  float b0_, b1_, k_, solid_angle_;
+  float b0_, b1_, solid_angle_;
+  Vec2 k_;  // (cos k, sin k)
 };
 
 /// A triangle seen from a point (Arvo 1995, section 3), in double precision.
