@@ -11,31 +11,36 @@ namespace {
 using Severity = LoadReport::Severity;
 
 struct RecordCounts {
-  std::size_t positions = 0, normals = 0, faces = 0, corners = 0;
+  std::size_t positions = 0, normals = 0, textures = 0, faces = 0;
+  std::size_t words = 0;  // behind keywords
 };
 
-// A quick look over the text, so that each array is allocated once and at about its final size.
-// Files with odd layout are counted wrong, which costs memory or time but nothing else.
+// A quick look over the text, so that each array is allocated once. Files with odd layout are
+// counted wrong, which costs address space or time but nothing else. The blocks are short enough
+// for sums in bytes, with which compilers vectorize the loop.
 RecordCounts count_records(std::string_view text) {
+  constexpr std::size_t kBlock = 128;
+  const auto count = [](std::uint8_t& sum, bool one) { sum = static_cast<std::uint8_t>(sum + one); };
   RecordCounts counts;
-  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
-    const char first = text[at];
-    const char second = text[at + 1];
-    if (first == 'f' && second == ' ') {
-      ++counts.faces;
-      std::size_t corners = 0;
-      for (++at; at < text.size() && text[at] != '\n'; ++at) {
-        corners += text[at - 1] == ' ' && text[at] > ' ';
-      }
-      counts.corners += corners;
-      continue;
+  for (std::size_t start = 0; start + 2 < text.size(); start += kBlock) {
+    const char* const at = text.data() + start;
+    const std::size_t size = std::min(kBlock, text.size() - 2 - start);
+    std::uint8_t positions = 0, normals = 0, textures = 0, faces = 0, words = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const bool line = (at[i] == '\n') | (at[i] == '\r');
+      const bool v = line & (at[i + 1] == 'v');
+      const bool blank = (at[i + 2] == ' ') | (at[i + 2] == '\t');
+      count(positions, v & blank);
+      count(normals, v & (at[i + 2] == 'n'));
+      count(textures, v & (at[i + 2] == 't'));
+      count(faces, line & (at[i + 1] == 'f') & blank);
+      count(words, ((at[i] == ' ') | (at[i] == '\t')) & (at[i + 1] > ' '));
     }
-    if (first == 'v') {
-      counts.positions += second == ' ';
-      counts.normals += second == 'n';
-    }
-    at = text.find('\n', at);
-    if (at == std::string_view::npos) break;
+    counts.positions += positions;
+    counts.normals += normals;
+    counts.textures += textures;
+    counts.faces += faces;
+    counts.words += words;
   }
   return counts;
 }
@@ -44,10 +49,12 @@ RecordCounts count_records(std::string_view text) {
 
 void ObjMeshBuilder::reserve_for(std::string_view text) {
   const RecordCounts counts = count_records(text);
-  mesh_.positions.reserve(counts.positions);
-  mesh_.normals.reserve(counts.normals);
-  mesh_.faces.reserve(counts.faces);
-  mesh_.corners.reserve(counts.corners);
+  const std::size_t others = 3 * counts.positions + 3 * counts.normals + 2 * counts.textures;
+  // One more each, since the first line has no line end before it.
+  mesh_.positions.reserve(counts.positions + 1);
+  mesh_.normals.reserve(counts.normals + 1);
+  mesh_.faces.reserve(counts.faces + 1);
+  mesh_.corners.reserve(counts.words - std::min(counts.words, others) + 3);
 }
 
 void ObjMeshBuilder::add_normal(Vec3 normal, const TextPlace& where) {
