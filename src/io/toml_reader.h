@@ -17,7 +17,8 @@
 
 namespace raytracing {
 
-/// A parsed document, kept together with its text to turn toml++'s columns into bytes.
+/// A parsed document, kept together with its text to turn toml++'s columns into bytes. The text
+/// must live longer.
 class TomlDocument {
  public:
   /// Throws InputError (file:line:column) for a syntax error.

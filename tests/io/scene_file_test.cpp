@@ -119,9 +119,9 @@ TEST(SceneFileErrors, NameTheNearestKey) {
        "scene.toml:4:1: unknown key 'camera.fow'; the nearest known key is 'camera.fov'"},
       {"[film]\n  heigth = 3",
        "scene.toml:5:3: unknown key 'film.heigth'; the nearest known key is 'film.height'"},
-      {"[materials.m]\ntype = 'ggx'\nalpha = 1\nroughnes = 2",
-       "scene.toml:6:1: unknown key 'materials.m.alpha'; the nearest known key is "
-       "'materials.m.type'"},
+      {"[materials.m]\ntype = 'ggx'\nrougness = 1\nalpha = 2",
+       "scene.toml:6:1: unknown key 'materials.m.rougness'; the nearest known key is "
+       "'materials.m.roughness'"},
       {"[[spheres]]\ncentre = [0, 0, 0]",
        "scene.toml:5:1: unknown key 'spheres.centre'; the nearest known key is 'spheres.center'"},
       {"[render]\nsamples = 3\nspp = 3",
