@@ -97,6 +97,7 @@ class EarClipper {
     for (std::uint32_t i = 0; i < n; ++i) {
       if (turn(i) <= 0) reflex_.push_back(i);
     }
+    suspects_ = reflex_;
     triangles_.reserve(n - 2);
   }
 
@@ -106,6 +107,7 @@ class EarClipper {
     // slow case, so a hopeless polygon is not searched again for each of its corners.
     int patience = 64;
     std::uint32_t at = 0;
+    clip_spikes(at);
     while (left_ > 3) {
       std::uint32_t tip = at;
       if (patience > 0 && !find(tip, Touching::blocks) && !find(tip, Touching::allowed)) {
@@ -113,6 +115,7 @@ class EarClipper {
       }
       at = next_[next_[tip]];  // not the neighbour: fans of slivers would grow around it
       clip(tip);
+      clip_spikes(at);
     }
     triangles_.push_back({previous_[at], at, next_[at]});
     return std::move(triangles_);
@@ -120,6 +123,7 @@ class EarClipper {
 
  private:
   enum class Touching { blocks, allowed };
+  static constexpr std::uint32_t kClipped = 0xffffffffu;
 
   double turn(std::uint32_t i) const {
     return orient(points_[previous_[i]], points_[i], points_[next_[i]]);
@@ -132,8 +136,13 @@ class EarClipper {
     return turn(i) == 0 && glm::dot(in, out) <= 0;
   }
 
+  // True when the boundary passes through the tip a second time and into the ear.
+  bool enters(std::uint32_t twin, const DVec2& a, const DVec2& b, const DVec2& c) const {
+    const auto inside = [&](const DVec2& p) { return orient(a, b, p) > 0 && orient(b, c, p) > 0; };
+    return inside(points_[previous_[twin]]) || inside(points_[next_[twin]]);
+  }
+
   bool is_ear(std::uint32_t tip, Touching touching) const {
-    if (is_spike(tip)) return true;
     const DVec2& a = points_[previous_[tip]];
     const DVec2& b = points_[tip];
     const DVec2& c = points_[next_[tip]];
@@ -143,6 +152,7 @@ class EarClipper {
     for (const std::uint32_t other : reflex_) {
       const DVec2& p = points_[other];
       if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) continue;
+      if (p == b && other != tip && enters(other, a, b, c)) return false;
       if (p == a || p == b || p == c) continue;  // itself, or the other end of a bridge
       const double inside =
           std::min(orient(a, b, p), std::min(orient(b, c, p), orient(c, a, p)));
@@ -162,13 +172,27 @@ class EarClipper {
     return false;
   }
 
+  // Spikes go first, with triangles without area: while they stand, corners beside them look like
+  // ears that are none. `at` moves on when its corner goes.
+  void clip_spikes(std::uint32_t& at) {
+    while (!suspects_.empty() && left_ > 3) {
+      const std::uint32_t suspect = suspects_.back();
+      suspects_.pop_back();
+      if (next_[suspect] == kClipped || !is_spike(suspect)) continue;
+      if (suspect == at) at = next_[at];
+      clip(suspect);
+    }
+  }
+
   void clip(std::uint32_t tip) {
     const std::uint32_t before = previous_[tip];
     const std::uint32_t after = next_[tip];
     triangles_.push_back({before, tip, after});
     next_[before] = after;
     previous_[after] = before;
+    next_[tip] = kClipped;
     --left_;
+    suspects_.insert(suspects_.end(), {before, after});
     // Clipping an ear only ever opens the corners beside it, so that corners leave the list but
     // seldom join it; joining happens where the polygon is not simple.
     std::erase_if(reflex_, [&](std::uint32_t i) { return i == tip || i == before || i == after; });
@@ -179,6 +203,7 @@ class EarClipper {
   const std::vector<DVec2>& points_;
   std::vector<std::uint32_t> next_, previous_;
   std::vector<std::uint32_t> reflex_;  // corners that do not turn left: only they can block an ear
+  std::vector<std::uint32_t> suspects_;  // corners that may have become spikes
   std::size_t left_;
   std::vector<Triangle> triangles_;
 };

@@ -109,7 +109,7 @@ class TextCursor {
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
   bool at_continuation() const {
-    return *at_ == '\\' && at_ + 1 != end_ && is_line_end(at_[1]);
+    return *at_ == '\\' && (at_ + 1 == end_ || is_line_end(at_[1]));
   }
   void skip_comment() {
     while (at_ != end_ && !is_line_end(*at_)) ++at_;
