@@ -154,8 +154,7 @@ class EarClipper {
       if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) continue;
       if (p == b && other != tip && enters(other, a, b, c)) return false;
       if (p == a || p == b || p == c) continue;  // itself, or the other end of a bridge
-      const double inside =
-          std::min(orient(a, b, p), std::min(orient(b, c, p), orient(c, a, p)));
+      const double inside = std::min(orient(a, b, p), std::min(orient(b, c, p), orient(c, a, p)));
       if (inside > 0 || (inside == 0 && touching == Touching::blocks)) return false;
     }
     return true;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "raytracing/io/file.h"
 #include "tally.h"
 #include "text_cursor.h"
-#include "raytracing/io/file.h"
 
 namespace raytracing {
 namespace {
@@ -30,11 +30,11 @@ class MtlParser {
  private:
   struct ColourKey {
     std::string_view key;
-    std::optional<Rgb> MtlMaterial::*field;
+    std::optional<Rgb> MtlMaterial::* field;
   };
   struct NumberKey {
     std::string_view key;
-    std::optional<float> MtlMaterial::*field;
+    std::optional<float> MtlMaterial::* field;
   };
   static constexpr ColourKey kColourKeys[] = {
       {"Kd", &MtlMaterial::Kd}, {"Ks", &MtlMaterial::Ks}, {"Ke", &MtlMaterial::Ke}};
@@ -145,8 +145,8 @@ Rgb MtlParser::colour(std::string_view key) {
   TextCursor ahead = cursor_;
   const std::string_view first = ahead.token();
   if (first == "spectral" || first == "xyz") {
-    cursor_.fail(cursor_.place(), std::string(key) + ' ' + std::string(first) +
-                                      " is not supported; give r g b");
+    cursor_.fail(cursor_.place(),
+                 std::string(key) + ' ' + std::string(first) + " is not supported; give r g b");
   }
   Rgb value(0.0f);
   for (int i = 0; i < 3; ++i) {

@@ -13,7 +13,8 @@ ParsedNumber round_slowly(const char* digits, const char* end, bool negative, lo
   if (error == std::errc::result_out_of_range || std::isinf(value)) {
     // from_chars does not say at which end the number left the range: find its decimal magnitude.
     const char* const point = std::find_if_not(digits, end, is_digit);
-    const char* const first = std::find_if(digits, end, [](char c) { return c >= '1' && c <= '9'; });
+    const char* const first =
+        std::find_if(digits, end, [](char c) { return c >= '1' && c <= '9'; });
     const long magnitude = exponent + static_cast<long>(point - first);
     if (magnitude > 0) return {end, 0, NumberStatus::too_large};
     value = 0;

@@ -16,13 +16,16 @@ struct ParsedNumber {
   NumberStatus status;
 };
 
-inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
+inline bool is_digit(char c) {
+  return static_cast<unsigned char>(c - '0') < 10;
+}
 
 /// Rounds the unsigned number [digits, end) of valid form. `exponent` is the one written after e.
 ParsedNumber round_slowly(const char* digits, const char* end, bool negative, long exponent);
 
 /// Reads [+-]digits[.digits][(e|E)[+-]digits] from the front of [at, end), with at least one digit
-/// before or after the point. Too small values become denormal or 0. The caller checks what follows.
+/// before or after the point. Too small values become denormal or 0. The caller checks what
+/// follows.
 inline ParsedNumber parse_float(const char* at, const char* end) {
   static constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                        1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,

@@ -5,9 +5,9 @@
 #include <unordered_map>
 
 #include "obj_mesh_builder.h"
+#include "raytracing/io/file.h"
 #include "tally.h"
 #include "text_cursor.h"
-#include "raytracing/io/file.h"
 
 namespace raytracing {
 namespace {
@@ -142,8 +142,8 @@ std::uint32_t ObjParser::index(Pool& pool) {
   const TextPlace where = cursor_.place();
   std::int64_t number;
   if (!cursor_.integer(number)) {
-    cursor_.fail(where, std::string("expected a ") + pool.noun + " index, found " +
-                            quoted(cursor_.token()));
+    cursor_.fail(
+        where, std::string("expected a ") + pool.noun + " index, found " + quoted(cursor_.token()));
   }
   if (number > 0) {
     if (number > pool.limit) {
@@ -156,8 +156,7 @@ std::uint32_t ObjParser::index(Pool& pool) {
   if (number == 0) return kNone;
   if (number < -pool.count) {
     cursor_.fail(where, std::string(pool.noun) + " index " + std::to_string(number) +
-                            " is out of range; " + std::to_string(pool.count) +
-                            " stand before it");
+                            " is out of range; " + std::to_string(pool.count) + " stand before it");
   }
   return static_cast<std::uint32_t>(pool.count + number);
 }

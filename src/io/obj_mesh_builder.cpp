@@ -20,7 +20,9 @@ struct RecordCounts {
 // for sums in bytes, with which compilers vectorize the loop.
 RecordCounts count_records(std::string_view text) {
   constexpr std::size_t kBlock = 128;
-  const auto count = [](std::uint8_t& sum, bool one) { sum = static_cast<std::uint8_t>(sum + one); };
+  const auto count = [](std::uint8_t& sum, bool one) {
+    sum = static_cast<std::uint8_t>(sum + one);
+  };
   RecordCounts counts;
   for (std::size_t start = 0; start + 2 < text.size(); start += kBlock) {
     const char* const at = text.data() + start;
@@ -85,8 +87,8 @@ void ObjMeshBuilder::end_face(std::uint32_t material, const TextPlace& where) {
   }
   if (repeated) tally_.note(Severity::repaired, "face with a repeated corner", where);
   if (late) late_faces_.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), where});
-  mesh_.faces.push_back({static_cast<std::uint32_t>(first_corner_),
-                         static_cast<std::uint32_t>(count), material});
+  mesh_.faces.push_back(
+      {static_cast<std::uint32_t>(first_corner_), static_cast<std::uint32_t>(count), material});
   first_corner_ = mesh_.corners.size();
 }
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "raytracing/geometry/polygon_mesh.h"
 #include "tally.h"
 #include "text_cursor.h"
-#include "raytracing/geometry/polygon_mesh.h"
 
 namespace raytracing {
 

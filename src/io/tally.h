@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "text_cursor.h"
 #include "raytracing/io/load_report.h"
+#include "text_cursor.h"
 
 namespace raytracing {
 

@@ -108,9 +108,7 @@ class TextCursor {
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-  bool at_continuation() const {
-    return *at_ == '\\' && (at_ + 1 == end_ || is_line_end(at_[1]));
-  }
+  bool at_continuation() const { return *at_ == '\\' && (at_ + 1 == end_ || is_line_end(at_[1])); }
   void skip_comment() {
     while (at_ != end_ && !is_line_end(*at_)) ++at_;
   }

@@ -107,13 +107,13 @@ TEST(Triangulate, ConcavePolygonsKeepTheirArea) {
   expect_covered_everywhere(flat({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));  // L
   expect_covered_everywhere(
       flat({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}));  // U
-  expect_covered_everywhere(flat({{0, 0}, {5, 0}, {5, 3}, {4, 1}, {3, 3}, {2, 1}, {1, 3}}));  // comb
+  expect_covered_everywhere(
+      flat({{0, 0}, {5, 0}, {5, 3}, {4, 1}, {3, 3}, {2, 1}, {1, 3}}));  // comb
 }
 
 TEST(Triangulate, CollinearCornersGiveNoEmptyTriangles) {
   expect_covered_everywhere(flat({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}));
-  expect_covered_everywhere(
-      flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}));
+  expect_covered_everywhere(flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}));
   expect_covered_everywhere(flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {0, 3}}));
   // Thirds are not exact in binary, but corners on an axis stay collinear in every projection.
   expect_covered_everywhere(flat({{0, 0}, {1 / 3.0f, 0}, {0.7f, 0}, {1.1f, 0}, {1.1f, 0.1f}}));
@@ -130,15 +130,29 @@ TEST(Triangulate, SpikeOutOfAPolygon) {
 
 // The usual way to write a hole in an OBJ file: walk to it and back along one edge.
 TEST(Triangulate, HoleReachedByABridge) {
-  const Polygon ring = flat(
-      {{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});
+  const Polygon ring =
+      flat({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});
   EXPECT_NEAR(areas_of(ring).polygon, 32, 1e-9);
   expect_covered_everywhere(ring);
 }
 
 TEST(Triangulate, TwoHoles) {
-  expect_covered_everywhere(flat({{0, 0}, {9, 0}, {9, 5}, {0, 5}, {0, 0}, {1, 1}, {1, 3}, {3, 3},
-                                  {3, 1}, {5, 1}, {5, 3}, {7, 3}, {7, 1}, {5, 1}, {3, 1}, {1, 1}}));
+  expect_covered_everywhere(flat({{0, 0},
+                                  {9, 0},
+                                  {9, 5},
+                                  {0, 5},
+                                  {0, 0},
+                                  {1, 1},
+                                  {1, 3},
+                                  {3, 3},
+                                  {3, 1},
+                                  {5, 1},
+                                  {5, 3},
+                                  {7, 3},
+                                  {7, 1},
+                                  {5, 1},
+                                  {3, 1},
+                                  {1, 1}}));
 }
 
 TEST(Triangulate, PolygonThatTouchesItselfInAPoint) {

@@ -16,7 +16,6 @@
 #include <set>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/io/load_report.h"
 
 namespace raytracing {
 namespace {
@@ -119,7 +118,9 @@ TEST_F(FileTest, OutputReplacesAnOlderFile) {
 
 TEST_F(FileTest, NothingIsLeftWithoutCommit) {
   const std::string target = put("out", "old");
-  { OutputFile(target).write("new"); }
+  {
+    OutputFile(target).write("new");
+  }
   EXPECT_EQ(read_file(target), "old");
   EXPECT_EQ(entries(), 1u);
 }
@@ -153,7 +154,7 @@ TEST_F(FileTest, PermissionsFollowTheUmask) {
   OutputFile output(path("out"));
   output.commit();
   ::umask(before);
-  struct stat info {};
+  struct stat info{};
   ASSERT_EQ(::stat(path("out").c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777, 0640u);
 }
@@ -268,33 +269,6 @@ TEST(HashBytes, EveryBitCounts) {
       EXPECT_NEAR(turned / 64.0, 32, 3) << "byte " << bit / 8 << " of " << length;
     }
   }
-}
-
-TEST(InputErrors, NameThePlaceAsFarAsItIsKnown) {
-  EXPECT_EQ(to_string(TextLocation{"a.obj", 3, 7}), "a.obj:3:7");
-  EXPECT_EQ(to_string(TextLocation{"a.obj", 3, 0}), "a.obj:3");
-  EXPECT_EQ(to_string(TextLocation{"a.obj", 0, 7}), "a.obj");
-  EXPECT_EQ(to_string(TextLocation{"", 3, 7}), "3:7");
-  EXPECT_STREQ(InputError(TextLocation{}, "why").what(), "why");
-  EXPECT_STREQ(InputError(TextLocation{"a\nb", 1, 2}, "c\r\nd").what(), "a b:1:2: c  d");
-}
-
-TEST(LoadReports, CountByKindAndKeepTheFirstPlace) {
-  using Severity = LoadReport::Severity;
-  LoadReport report;
-  report.add(Severity::ignored, "line", {"a.obj", 1, 1});
-  report.add(Severity::dropped, "face", {"a.obj", 2, 1});
-  report.add(Severity::ignored, "line", {"b.obj", 3, 1}, 4);
-  report.add(Severity::ignored, "point", {"b.obj", 4, 1});
-  report.add(Severity::warning, "line", {"b.obj", 5, 1}, 0);
-  ASSERT_EQ(report.entries().size(), 3u);
-  EXPECT_EQ(report.entries()[0].count, 5u);
-  EXPECT_EQ(to_string(report.entries()[0].first), "a.obj:1:1");
-  EXPECT_EQ(report.entries()[1].kind, "face");
-  EXPECT_EQ(report.count(Severity::ignored), 6u);
-  EXPECT_EQ(report.count(Severity::dropped), 1u);
-  EXPECT_EQ(report.count(Severity::repaired), 0u);
-  EXPECT_STREQ(to_string(Severity::repaired), "repaired");
 }
 
 }  // namespace

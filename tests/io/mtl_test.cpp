@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "io/told.h"
+
 namespace raytracing {
 namespace {
 
@@ -13,15 +15,7 @@ struct Parsed {
   std::vector<MtlMaterial> materials;
   LoadReport report;
 
-  std::string told() const {
-    std::string text;
-    for (const LoadReport::Entry& e : report.entries()) {
-      if (!text.empty()) text += "; ";
-      text += to_string(e.severity) + " "s + e.kind + " x" + std::to_string(e.count) + " at " +
-              std::to_string(e.first.line) + ":" + std::to_string(e.first.column);
-    }
-    return text;
-  }
+  std::string told() const { return raytracing::told(report); }
 };
 
 Parsed parse(const std::string& text) {
@@ -79,7 +73,8 @@ TEST(Mtl, OneNumberIsAGrey) {
   EXPECT_EQ(m.Ke, Rgb(2));
   EXPECT_EQ(error_of("newmtl a\nKd 0.5 0.5\n"), "x.mtl:2:11: truncated record: expected a number");
   EXPECT_EQ(error_of("newmtl a\nKd\n"), "x.mtl:2:3: truncated record: expected a number");
-  EXPECT_EQ(error_of("newmtl a\nKd 1 1 1 1\n"), "x.mtl:2:10: unexpected '1' at the end of the record");
+  EXPECT_EQ(error_of("newmtl a\nKd 1 1 1 1\n"),
+            "x.mtl:2:10: unexpected '1' at the end of the record");
 }
 
 TEST(Mtl, ColoursAboveOneAreTheCallersAffair) {
@@ -97,7 +92,8 @@ TEST(Mtl, NegativeColoursAreRefused) {
 TEST(Mtl, SpectralColoursAreRefused) {
   EXPECT_EQ(error_of("newmtl a\nKd spectral file.rfl 1"),
             "x.mtl:2:4: Kd spectral is not supported; give r g b");
-  EXPECT_EQ(error_of("newmtl a\nKs xyz .1 .2 .3"), "x.mtl:2:4: Ks xyz is not supported; give r g b");
+  EXPECT_EQ(error_of("newmtl a\nKs xyz .1 .2 .3"),
+            "x.mtl:2:4: Ks xyz is not supported; give r g b");
 }
 
 TEST(Mtl, BadNumbersAreRefused) {
@@ -114,12 +110,14 @@ TEST(Mtl, BadNumbersAreRefused) {
 }
 
 TEST(Mtl, KeysBeforeTheFirstMaterialAreRefused) {
-  EXPECT_EQ(error_of("# note\n Kd 1 1 1\nnewmtl a"), "x.mtl:2:2: 'Kd' stands before the first newmtl");
+  EXPECT_EQ(error_of("# note\n Kd 1 1 1\nnewmtl a"),
+            "x.mtl:2:2: 'Kd' stands before the first newmtl");
   EXPECT_EQ(error_of("map_Kd a.png"), "x.mtl:1:1: 'map_Kd' stands before the first newmtl");
 }
 
 TEST(Mtl, Names) {
-  const Parsed parsed = parse("newmtl Dark  wood \t\nnewmtl red # note\nnewmtl Material #25\nnewmtl a\\\nb");
+  const Parsed parsed =
+      parse("newmtl Dark  wood \t\nnewmtl red # note\nnewmtl Material #25\nnewmtl a\\\nb");
   ASSERT_EQ(parsed.materials.size(), 4u);
   EXPECT_EQ(parsed.materials[0].name, "Dark  wood");
   EXPECT_EQ(parsed.materials[1].name, "red");
@@ -176,8 +174,8 @@ TEST(Mtl, TheLastOfTwoMaterialsOfOneNameCounts) {
 
 TEST(Mtl, LineEndsIndentationAndByteOrderMark) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
-    const Parsed parsed = parse("\xef\xbb\xbfnewmtl a" + end + "\tKd\t.5 \\" + end + " .5 .5 # c" + end + end +
-                                "  Ns 10" + end + "# C:\\" + end + "Ni 1.5");
+    const Parsed parsed = parse("\xef\xbb\xbfnewmtl a" + end + "\tKd\t.5 \\" + end + " .5 .5 # c" +
+                                end + end + "  Ns 10" + end + "# C:\\" + end + "Ni 1.5");
     ASSERT_EQ(parsed.materials.size(), 1u);
     EXPECT_EQ(parsed.materials[0].name, "a");
     EXPECT_EQ(parsed.materials[0].Kd, Rgb(0.5f));
@@ -196,7 +194,8 @@ TEST(Mtl, MissingFile) {
 
 TEST(Mtl, SurvivesRandomDamage) {
   const std::string good =
-      "# note\nnewmtl red one\nKd .5 .5 \\\r\n.5\nKs 1\nNs 10\rd 1\nTr 0\nillum 2\nmap_Kd -s 1 a.png\n"
+      "# note\nnewmtl red one\nKd .5 .5 \\\r\n.5\nKs 1\nNs 10\rd 1\nTr 0\nillum 2\nmap_Kd -s 1 "
+      "a.png\n"
       "newmtl light\r\nKe 17 12 4\nPr .5\nPm 0\nNi 1.5\nnewmtl red one\nd -halo 1";
   const std::string bytes = "0123456789-+.eE# \t\r\n\\KdTrnewmtl,\0\xff"s;
   std::mt19937 random(23);
@@ -208,10 +207,18 @@ TEST(Mtl, SurvivesRandomDamage) {
     for (std::size_t edits = 1 + below(6); edits > 0 && !text.empty(); --edits) {
       const std::size_t at = below(text.size());
       switch (below(4)) {
-        case 0: text[at] = bytes[below(bytes.size())]; break;
-        case 1: text.insert(at, text.substr(below(text.size()), below(20))); break;
-        case 2: text.erase(at, 1 + below(8)); break;
-        default: text[at] = static_cast<char>(below(256)); break;
+        case 0:
+          text[at] = bytes[below(bytes.size())];
+          break;
+        case 1:
+          text.insert(at, text.substr(below(text.size()), below(20)));
+          break;
+        case 2:
+          text.erase(at, 1 + below(8));
+          break;
+        default:
+          text[at] = static_cast<char>(below(256));
+          break;
       }
     }
     if (below(10) == 0) text.resize(below(text.size() + 1));

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <random>
+
+#include "io/parse_obj_text.h"
+
+namespace raytracing {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(ObjNumbers, NumberForms) {
+  const Parsed parsed =
+      parse("v +2 .5 1.E-1\nv -1. -.25e+1 1e2\nv 1E-50 -0 00012.5\nv 5. 0.0e99999 1e-46\n");
+  const auto& p = parsed.mesh().positions;
+  EXPECT_EQ(p[0], Vec3(2.0f, 0.5f, 0.1f));
+  EXPECT_EQ(p[1], Vec3(-1.0f, -2.5f, 100.0f));
+  EXPECT_EQ(p[2], Vec3(0.0f, 0.0f, 12.5f));
+  EXPECT_EQ(p[3], Vec3(5.0f, 0.0f, 0.0f));
+  const std::string zeros(400, '0');
+  EXPECT_EQ(parse("v 0." + zeros + "1 " + zeros + "3 1" + zeros + "e-400").mesh().positions[0],
+            Vec3(0.0f, 3.0f, 1.0f));
+  EXPECT_EQ(parse("v 1e-40 -1e-44 1.17549435e-38").mesh().positions[0],
+            Vec3(1e-40f, -1e-44f, 1.17549435e-38f));
+  EXPECT_EQ(parse("v 3.4028235e38 -3.4028235e38 3.40282350000000000000001e38").mesh().positions[0],
+            Vec3(3.4028235e38f, -3.4028235e38f, 3.4028235e38f));
+}
+
+// Every number must be the float nearest to the decimal, also midway between two floats.
+TEST(ObjNumbers, NumbersAreRoundedCorrectly) {
+  std::mt19937_64 random(9);
+  std::vector<std::string> words = {"16777217",
+                                    "16777219",
+                                    "16777217.0000000000000000001",
+                                    "0.5000000298023223876953125",
+                                    "9007199254740993",
+                                    "1.00000017881393432617187499",
+                                    "1.00000017881393432617187501"};
+  for (int i = 0; i < 30000; ++i) {
+    char digits[64];
+    const auto bits = static_cast<std::uint32_t>(random());
+    const float value = std::bit_cast<float>(bits);
+    if (!std::isfinite(value)) continue;
+    const auto midway = static_cast<double>(value) * (1 + 0x1p-24);
+    words.emplace_back(digits, std::to_chars(digits, digits + 64, value).ptr);
+    words.emplace_back(digits, std::to_chars(digits, digits + 64, midway).ptr);
+    const auto fraction = static_cast<double>(random() % 2'000'000'000) / 1e6 - 1000;
+    words.emplace_back(
+        digits, std::to_chars(digits, digits + 64, fraction, std::chars_format::fixed, 6).ptr);
+    const auto integer = static_cast<long>((random() >> 38) * 2 + 1) << (random() % 30);
+    words.emplace_back(digits, std::to_chars(digits, digits + 64, integer).ptr);
+  }
+  for (const std::string& word : words) {
+    float expected = 0;
+    const auto result = std::from_chars(word.data(), word.data() + word.size(), expected);
+    if (result.ec != std::errc()) continue;
+    const float found = parse("v " + word + " 0 0").mesh().positions[0].x;
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(found), std::bit_cast<std::uint32_t>(expected)) << word;
+  }
+}
+
+TEST(ObjNumbers, BadNumbersAreRefusedWithTheirPlace) {
+  EXPECT_EQ(error_of("v 0 1,5 0"),
+            "x.obj:1:5: expected y, found '1,5'; decimals are written with a point");
+  EXPECT_EQ(error_of("\nv nan 0 0"), "x.obj:2:3: expected x, found 'nan'");
+  EXPECT_EQ(error_of("v 0 0 -inf"), "x.obj:1:7: expected z, found '-inf'");
+  EXPECT_EQ(error_of("v 1e39 0 0"), "x.obj:1:3: expected x, found '1e39', too large for a float");
+  EXPECT_EQ(error_of("v 0 0 -3.5e38"),
+            "x.obj:1:7: expected z, found '-3.5e38', too large for a float");
+  EXPECT_EQ(
+      error_of("v 1" + std::string(60, '0') + " 0 0"),
+      "x.obj:1:3: expected x, found '1" + std::string(39, '0') + "...', too large for a float");
+  EXPECT_EQ(error_of("v 1e999999999999999999999 0 0"),
+            "x.obj:1:3: expected x, found '1e999999999999999999999', too large for a float");
+  for (const std::string word : {"1x", "0x10", "1.2.3", "1e", "1e+", "+-1", "--1", ".", "-", "e5",
+                                 "1\\", "1d5", "infinity", "1f"}) {
+    EXPECT_EQ(error_of("v 0 0 0\r\n v 0  " + word + " 0"),
+              "x.obj:2:7: expected y, found '" + word + "'");
+  }
+  EXPECT_EQ(error_of("v 0 0 \x01\xc3"), "x.obj:1:7: expected z, found '\\x01\\xc3'");
+  EXPECT_EQ(error_of("vn 0 0 NaN"), "x.obj:1:8: expected z, found 'NaN'");
+}
+
+TEST(ObjNumbers, TruncatedRecordsAreRefused) {
+  EXPECT_EQ(error_of("v 1 2"), "x.obj:1:6: truncated record: expected z");
+  EXPECT_EQ(error_of("v\n1 2 3"), "x.obj:1:2: truncated record: expected x");
+  EXPECT_EQ(error_of("v 1 2 # 3"), "x.obj:1:7: truncated record: expected z");
+  EXPECT_EQ(error_of("vn 1\r\nv 0 0 0"), "x.obj:1:5: truncated record: expected y");
+  EXPECT_EQ(error_of(kSquare + "f 1 2 \nv 0 0 0"),
+            "x.obj:5:7: truncated record: a face needs at least 3 corners, found 2");
+  EXPECT_EQ(error_of("f"), "x.obj:1:2: truncated record: a face needs at least 3 corners, found 0");
+  EXPECT_EQ(error_of("v 1 2 3 4 5"), "x.obj:1:12: truncated record: expected blue");
+}
+
+TEST(ObjNumbers, TrailingTextIsRefused) {
+  EXPECT_EQ(error_of("vn 1 2 3 4"), "x.obj:1:10: unexpected '4' at the end of the record");
+  EXPECT_EQ(error_of("v 1 2 3 x"), "x.obj:1:9: expected a vertex weight or colour, found 'x'");
+  EXPECT_EQ(error_of("v 1 2 3 1 1 1 1 1"), "x.obj:1:17: unexpected '1' at the end of the record");
+}
+
+}  // namespace
+}  // namespace raytracing

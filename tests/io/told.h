@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "raytracing/io/load_report.h"
+
+namespace raytracing {
+
+/// All that a report counted, in one line: "severity kind xcount at line:column; ...".
+inline std::string told(const LoadReport& report) {
+  std::string text;
+  for (const LoadReport::Entry& e : report.entries()) {
+    if (!text.empty()) text += "; ";
+    text += to_string(e.severity) + (" " + e.kind) + " x" + std::to_string(e.count) + " at " +
+            std::to_string(e.first.line) + ":" + std::to_string(e.first.column);
+  }
+  return text;
+}
+
+}  // namespace raytracing
