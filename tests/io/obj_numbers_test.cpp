@@ -44,9 +44,13 @@ TEST(ObjNumbers, NumbersAreRoundedCorrectly) {
     const auto bits = static_cast<std::uint32_t>(random());
     const float value = std::bit_cast<float>(bits);
     if (!std::isfinite(value)) continue;
-    const auto midway = static_cast<double>(value) * (1 + 0x1p-24);
+    const double midway = (double{value} + double{std::nextafter(value, 0.0f)}) / 2;
     words.emplace_back(digits, std::to_chars(digits, digits + 64, value).ptr);
     words.emplace_back(digits, std::to_chars(digits, digits + 64, midway).ptr);
+    // 16 digits come close enough to fall on the midway double without being it.
+    const double small = std::ldexp(midway, -std::ilogb(midway) + static_cast<int>(random() % 20));
+    words.emplace_back(
+        digits, std::to_chars(digits, digits + 64, small, std::chars_format::scientific, 15).ptr);
     const auto fraction = static_cast<double>(random() % 2'000'000'000) / 1e6 - 1000;
     words.emplace_back(
         digits, std::to_chars(digits, digits + 64, fraction, std::chars_format::fixed, 6).ptr);
