@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "raytracing/scene/scene.h"
@@ -33,7 +34,9 @@ class Visibility {
   /// Whether something stands between the vertex and the point `q` of the light.
   bool occluded(const Vertex& v, const Vec3& q, const AreaLight& light) {
     ++counts_.shadow;
-    return scene_.geometry().occluded(v.ray_origin(), offset_point(q, light.normal, light.error));
+    // Of a far vertex, the ray's end is known only as well as the vertex's own coordinates.
+    const Vec3 end = offset_point(q, light.normal, std::max(light.error, v.error));
+    return scene_.geometry().occluded(v.ray_origin(), end);
   }
 
   const RayCounts& counts() const { return counts_; }
