@@ -38,8 +38,10 @@ std::string quoted(std::string_view argument) {
 
 int dispatch(int argc, char** argv) {
   Arguments arguments;
-  for (int i = 0; i < argc; ++i)
-    arguments.command_line += (i > 0 ? " " : "") + quoted(argv[i]);
+  for (int i = 0; i < argc; ++i) {
+    if (i > 0) arguments.command_line += ' ';
+    arguments.command_line += quoted(argv[i]);
+  }
   arguments.values.assign(argv + 1, argv + argc);
   const Command* chosen = &kCommands.front();
   for (const Command& command : kCommands) {
