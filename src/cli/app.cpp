@@ -50,7 +50,10 @@ int dispatch(int argc, char** argv) {
     arguments.values.erase(arguments.values.begin());
     break;
   }
-  return chosen->run(arguments);
+  const int code = chosen->run(arguments);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw OutputError("standard output: cannot be written");
+  return code;
 }
 
 int fail(int code, std::string_view message) {

@@ -37,12 +37,12 @@ struct Outputs {
     if (!a.stats.empty()) stats.emplace(a.stats);
   }
 
-  void write(const RenderRecord& record, bool variance) {
+  void write(const RenderRecord& record, bool variance, bool quiet) {
     const ImageData image = to_image(record, variance);
     for (OutputFile& file : pictures) {
       file.write(encode_image(image, image_format(file.path())));
       file.commit();
-      fmt::print("{}\n", file.path());
+      if (!quiet) fmt::print("{}\n", file.path());
     }
     if (!stats) return;
     stats->write(stats_json(record));
@@ -103,16 +103,19 @@ void print_result(const RenderRecord& r, bool quiet) {
 
 int render_and_write(const RenderArguments& a, const SceneFile& file, const Scene& scene,
                      const std::string& command_line, double load_seconds, double build_seconds,
-                     Outputs& outputs) {
+                     const StopOnSignal& signals, Outputs& outputs) {
   const RenderOptions options = render_options(a, file);
-  const StopOnSignal signals;
   ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
   const RenderResult result =
       render(scene, options, signals.stop(),
              [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
+  if (result.paths == 0) {  // nothing to keep, and an older picture is better than a black one
+    fmt::print(stderr, "stopped before the first sample: nothing written\n");
+    return kExitSignalBase + signals.signal();
+  }
   const RenderRecord record{a.scene,      file,         options,      result,
                             command_line, load_seconds, build_seconds};
-  outputs.write(record, a.variance);
+  outputs.write(record, a.variance, a.quiet);
   display.finish(result.complete);
   print_result(record, a.quiet);
   if (signals.signal() != 0) return kExitSignalBase + signals.signal();
@@ -133,6 +136,7 @@ int render_command(const Arguments& arguments) {
   const double load_seconds = load_time.seconds();
   print_load_report(report, file, a.quiet, a.strict);
 
+  const StopOnSignal signals;  // before there are temporary files to leave behind
   std::optional<Outputs> outputs;
   if (!a.replay) outputs.emplace(a);
   const Stopwatch build_time;
@@ -144,7 +148,7 @@ int render_command(const Arguments& arguments) {
     return kExitGood;
   }
   return render_and_write(a, file, scene, arguments.command_line, load_seconds, build_seconds,
-                          *outputs);
+                          signals, *outputs);
 }
 
 }  // namespace raytracing

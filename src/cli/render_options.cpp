@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <thread>
+#include <type_traits>
 
 #include "build_info.h"
+#include "option_values.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/image_file.h"
+#include "raytracing/io/nearest_name.h"
 
 namespace raytracing {
 namespace {
@@ -16,6 +20,14 @@ constexpr int kMaxImageSize = 65536;
 constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
 constexpr int kMaxThreads = 1024;
 constexpr int kMaxLineRays = 65536;
+constexpr std::uint64_t kMaxDepth = std::uint64_t{1} << 30;
+constexpr std::size_t kHelpWidth = 68;  // of the descriptions: CLI11 starts them at column 30
+
+// The number behind an optional one.
+template <class Field>
+struct NumberOf : std::type_identity<Field> {};
+template <class Number>
+struct NumberOf<std::optional<Number>> : std::type_identity<Number> {};
 
 std::string methods_text() {
   std::string text;
@@ -30,93 +42,162 @@ int default_threads() {
 }
 
 RenderArguments::Replay parse_replay(const std::string& text) {
-  RenderArguments::Replay replay{};
-  int end = 0;
-  if (std::sscanf(text.c_str(), "%d,%d,%lu%n", &replay.x, &replay.y, &replay.sample, &end) != 3 ||
-      static_cast<std::size_t>(end) != text.size() || text.find('-') != std::string::npos)
-    throw UsageError("--replay: '" + text + "' is not X,Y,SAMPLE");
-  return replay;
+  const std::size_t first = text.find(','), last = text.rfind(',');
+  if (first == last) throw UsageError("--replay: '" + text + "' is not X,Y,SAMPLE");
+  const auto number = [&](std::size_t from, std::size_t to, std::uint64_t high) {
+    return whole_number("--replay", std::string_view(text).substr(from, to - from), 0, high);
+  };
+  return {static_cast<int>(number(0, first, kMaxImageSize - 1)),
+          static_cast<int>(number(first + 1, last, kMaxImageSize - 1)),
+          number(last + 1, text.size(), kMaxSpp - 1)};
 }
 
 // The one list of options: parsing and help both come from it.
 struct OptionList {
-  CLI::App app{"Renders a scene to pictures. `render` may be left out.", "Raytracing render"};
+  CLI::App app{"Renders a scene to pictures. The word render may be left out.",
+               "Raytracing [render]"};
   RenderArguments& a;
-  std::string replay;
-  std::string sampler = "sobol";
-  std::string progress = "auto";
   bool list_methods = false;
   bool version = false;
 
   explicit OptionList(RenderArguments& arguments) : a(arguments) {
     app.set_help_flag("-h,--help", "This text");
-    app.add_option("--scene,scene", a.scene, "Scene file (TOML)")->type_name("FILE.toml");
+    add_text("--scene,scene", a.scene, "FILE.toml", "Scene file (TOML)");
     add_picture_options();
     add_sampling_options();
     add_report_options();
   }
 
+  CLI::Option* add_text(const std::string& name, std::string& value, const char* type,
+                        const std::string& description) {
+    return app.add_option(name, value, wrapped(description, kHelpWidth))->type_name(type);
+  }
+
+  // Not CLI11's numbers: it reads 010 as 8, -1 as 2^64 - 1 and what is too large as the largest.
+  template <class Field>
+  void add_number(const std::string& name, Field& value, std::uint64_t low, std::uint64_t high,
+                  const std::string& description) {
+    const auto set = [&value, name, low, high](const std::string& text) {
+      value = static_cast<typename NumberOf<Field>::type>(whole_number(name, text, low, high));
+    };
+    app.add_option_function<std::string>(name, set, wrapped(description, kHelpWidth))
+        ->type_name("N");
+  }
+
+  void add_choice(const std::string& name, const std::vector<std::string>& names,
+                  const std::function<void(const std::string&)>& choose,
+                  const std::string& description) {
+    const auto set = [name, names, choose](const std::string& text) {
+      check_name(name, text, names);
+      choose(text);
+    };
+    app.add_option_function<std::string>(name, set, wrapped(description, kHelpWidth))
+        ->type_name("NAME");
+  }
+
+  void add_switch(const std::string& name, bool& value, const std::string& description) {
+    app.add_flag(name, value, wrapped(description, kHelpWidth))->disable_flag_override();
+  }
+
   void add_picture_options() {
     app.add_option("-o,--output", a.outputs,
-                   "Picture to write, .png (sRGB, 8 bit) or .exr (linear, float32); repeatable; "
-                   "default <scene>.png")
+                   wrapped("Picture to write, .png (sRGB, 8 bit) or .exr (linear, float32); "
+                           "repeatable; default <scene>.png in the working directory",
+                           kHelpWidth))
         ->type_name("FILE")
         ->take_all()
         ->expected(1);
-    app.add_option("--width", a.width, "Picture width in pixels; default: the scene's")
-        ->check(CLI::Range(1, kMaxImageSize));
-    app.add_option("--height", a.height, "Picture height in pixels; default: the scene's")
-        ->check(CLI::Range(1, kMaxImageSize));
-    app.add_flag("--variance", a.variance,
-                 "Add the layers variance.R/G/B, sample variance of the pixel mean, to an EXR. It "
-                 "takes the samples as independent: with --sampler sobol it is too large");
+    add_number("--width", a.width, 1, kMaxImageSize, "Picture width in pixels; default: the scene's");
+    add_number("--height", a.height, 1, kMaxImageSize,
+               "Picture height in pixels; default: the scene's");
+    add_switch("--variance", a.variance,
+               "Add the layers variance.R/G/B, sample variance of the pixel mean, to an EXR. It "
+               "takes the samples as independent: with --sampler sobol it is too large");
   }
 
   void add_sampling_options() {
-    app.add_option("--spp", a.spp, "Samples per pixel; default: the scene's")
-        ->check(CLI::Range(std::uint64_t{1}, kMaxSpp));
-    app.add_option("--light-sampling", a.light_sampling,
-                   "How direct light is sampled; default: the scene's; see --list-methods")
-        ->check(CLI::IsMember(direct_method_names()));
-    app.add_option("--line-rays", a.line_rays, "Rays per chord of the methods that count rays")
-        ->check(CLI::Range(1, kMaxLineRays))
-        ->capture_default_str();
-    app.add_option("--max-depth", a.max_depth,
-                   "Surfaces that a path may be reflected at; 1 = direct light only; default "
-                   "unlimited, with Russian roulette")
-        ->check(CLI::Range(1u, 1u << 30));
-    app.add_option("--seed", a.seed, "Seed of the random numbers")->capture_default_str();
-    app.add_option("--sampler", sampler, "Source of the random numbers")
-        ->check(CLI::IsMember({"sobol", "independent"}))
-        ->capture_default_str();
-    app.add_option("--threads", a.threads,
-                   "Threads; default: as many as the machine has. The picture does not depend on it")
-        ->check(CLI::Range(1, kMaxThreads));
+    add_number("--spp", a.spp, 1, kMaxSpp, "Samples per pixel; default: the scene's");
+    add_choice("--light-sampling", direct_method_names(),
+               [this](const std::string& name) { a.light_sampling = name; },
+               "How direct light is sampled: " + alternatives(direct_method_names()) +
+                   " (see below); default: the scene's");
+    add_number("--line-rays", a.line_rays, 1, kMaxLineRays,
+               fmt::format("Rays per chord of the methods that count rays; default {}",
+                           a.line_rays));
+    add_number("--max-depth", a.max_depth, 1, kMaxDepth,
+               "Surfaces that a path may be reflected at; 1 = direct light only; default "
+               "unlimited, with Russian roulette");
+    add_number("--seed", a.seed, 0, UINT64_MAX, "Seed of the random numbers; default 0");
+    add_choice("--sampler", {"sobol", "independent"},
+               [this](const std::string& name) { a.sampler = *sampler_kind(name); },
+               "Source of the random numbers: sobol (default) or independent");
+    add_number("--threads", a.threads, 1, kMaxThreads,
+               "Threads; default: as many as the machine has. The picture does not depend on it");
   }
 
   void add_report_options() {
-    app.add_option("--stats", a.stats, "Write statistics as JSON")->type_name("FILE.json");
-    app.add_option("--progress", progress,
-                   "How progress is shown on stderr; auto = a bar on a terminal")
-        ->check(CLI::IsMember({"auto", "bar", "jsonl", "none"}))
-        ->capture_default_str();
-    app.add_flag("--quiet", a.quiet, "No progress and no summary; errors and warnings still come");
-    app.add_flag("--strict", a.strict,
-                 "Repaired or dropped input is an error (exit code 3), and so are non-finite "
-                 "samples (exit code 1)");
-    app.add_option("--replay", replay,
-                   "Trace only this sample of this pixel and print its vertices")
+    add_text("--stats", a.stats, "FILE.json", "Write statistics as JSON");
+    add_choice("--progress", {"auto", "bar", "jsonl", "none"},
+               [this](const std::string& name) { a.progress = *progress_style(name); },
+               "How progress is shown on stderr: auto (default; a bar on a terminal, else "
+               "nothing), bar, jsonl (one JSON object per line) or none");
+    add_switch("--quiet", a.quiet,
+               "Print nothing but errors and warnings: no progress, no summary, no file names");
+    add_switch("--strict", a.strict,
+               "Repaired or dropped input is an error (exit code 3), and so are non-finite "
+               "samples (exit code 1)");
+    app.add_option_function<std::string>(
+           "--replay", [this](const std::string& text) { a.replay = parse_replay(text); },
+           "Trace only this sample of this pixel and print its vertices")
         ->type_name("X,Y,SAMPLE");
-    app.add_flag("--list-methods", list_methods, "List the values of --light-sampling");
-    app.add_flag("--version", version, "Version, build, instruction set and libraries");
+    add_switch("--list-methods", list_methods, "List the values of --light-sampling");
+    add_switch("--version", version, "Version, build, instruction set and libraries");
   }
 
-  std::string help() const { return app.help() + "\nLight sampling methods:\n" + methods_text(); }
+  std::string help() const { return app.help() + "Light sampling methods:\n" + methods_text(); }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames()) result.push_back("--" + name);
+    return result;
+  }
 };
 
-// The first line only: CLI11 explains at length.
 [[noreturn]] void throw_usage(const std::string& what) {
-  throw UsageError(what.substr(0, what.find('\n')) + " (--help lists all options)");
+  throw UsageError(what + " (--help lists all options)");
+}
+
+[[noreturn]] void throw_not_expected(const OptionList& options, const std::string& argument) {
+  if (!argument.starts_with("-"))
+    throw_usage(fmt::format("{}: one scene file is enough, and it is {}", argument,
+                            options.a.scene));
+  const std::string name = argument.substr(0, argument.find('='));
+  throw_usage(fmt::format("{}: no such option; the nearest is {}", name,
+                          nearest_name(name, options.names())));
+}
+
+// CLI11's texts speak of its own terms, so only the option's name is taken from them.
+[[noreturn]] void throw_mismatch(const std::string& what) {
+  std::string name = what.substr(0, what.find_first_of(": "));
+  if (!name.starts_with("-")) name = "--" + name;
+  if (what.ends_with("missing")) throw_usage(name + ": needs a value");
+  if (what.find("At Most") != std::string::npos) throw_usage(name + ": given more than once");
+  throw_usage(name + ": takes no value");
+}
+
+void parse(OptionList& options, const Arguments& arguments) {
+  try {
+    options.app.parse(std::vector<std::string>(arguments.values.rbegin(), arguments.values.rend()));
+  } catch (const CLI::ExtrasError&) {
+    throw_not_expected(options, options.app.remaining().front());
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw_mismatch(error.what());
+  } catch (const CLI::CallForHelp&) {
+    options.a.text = options.help();
+  } catch (const CLI::ParseError& error) {
+    throw_usage(error.what());
+  }
 }
 
 }  // namespace
@@ -125,21 +206,12 @@ RenderArguments parse_render_arguments(const Arguments& arguments) {
   RenderArguments a;
   a.threads = default_threads();
   OptionList options(a);
-  try {
-    options.app.parse(std::vector<std::string>(arguments.values.rbegin(), arguments.values.rend()));
-  } catch (const CLI::CallForHelp&) {
-    a.text = options.help();
-    return a;
-  } catch (const CLI::ParseError& error) {
-    throw_usage(error.what());
-  }
+  parse(options, arguments);
+  if (a.text) return a;
   if (options.list_methods) a.text = methods_text();
   if (options.version) a.text = version_text();
   if (a.text) return a;
   if (a.scene.empty()) throw_usage("no scene file given");
-  a.sampler = *sampler_kind(options.sampler);
-  a.progress = *progress_style(options.progress);
-  if (!options.replay.empty()) a.replay = parse_replay(options.replay);
   for (const std::string& output : a.outputs) image_format(output);
   return a;
 }

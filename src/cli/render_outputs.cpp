@@ -16,6 +16,12 @@ std::int64_t peak_rss_bytes() {
   return std::int64_t{1024} * usage.ru_maxrss;
 }
 
+// Text where a header's 64 bits with a sign do not suffice.
+ImageMetadata::value_type::second_type whole_number(std::uint64_t value) {
+  if (value > static_cast<std::uint64_t>(INT64_MAX)) return std::to_string(value);
+  return static_cast<std::int64_t>(value);
+}
+
 ImageMetadata metadata(const RenderRecord& r) {
   const DirectMethod& method = *r.options.shade.method;
   const auto& depth = r.options.shade.max_depth;
@@ -25,7 +31,7 @@ ImageMetadata metadata(const RenderRecord& r) {
       {"argv", r.command_line},
       {"scene", r.scene_path},
       {"sceneHash", fmt::format("{:016x}", r.scene.hash)},
-      {"seed", static_cast<std::int64_t>(r.options.seed)},
+      {"seed", whole_number(r.options.seed)},
       {"spp", static_cast<std::int64_t>(r.options.spp)},
       {"sampler", std::string(to_string(r.options.sampler))},
       {"lightSampling", std::string(method.name)},

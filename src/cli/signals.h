@@ -1,11 +1,12 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 namespace raytracing {
 
 /// While it lives, SIGINT and SIGTERM ask for an early end instead of ending the program. A second
-/// signal ends the program at once. At most one lives at a time.
+/// signal, half a second later or more, ends the program at once. At most one lives at a time.
 class StopOnSignal {
  public:
   StopOnSignal();
