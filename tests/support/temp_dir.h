@@ -29,6 +29,7 @@ class TempDir {
   TempDir(const TempDir&) = delete;
   TempDir& operator=(const TempDir&) = delete;
 
+  std::string path() const { return path_.string(); }
   /// The full path of a file in the folder.
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 

@@ -1,0 +1,131 @@
+// Bad input ends with 3, outputs that cannot be written with 4, each with one line; nothing is left
+// behind and nothing old is lost.
+
+#include <gtest/gtest.h>
+
+#include "support/cli_folder.h"
+
+namespace raytracing {
+namespace {
+
+using Names = std::vector<std::string>;
+
+void expect_one_line(const RunResult& run, int code, const std::string& line) {
+  EXPECT_EQ(run.exit_code, code);
+  EXPECT_EQ(run.err, "Raytracing: " + line + "\n");
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(BadInput, ASceneThatIsNotThere) {
+  const CliFolder folder;
+  expect_one_line(folder.run({"nope.toml"}), 3, "nope.toml: No such file or directory");
+  expect_one_line(folder.run({"--scene", "."}), 3, ".: Is a directory");
+  expect_one_line(folder.run({"rendr", "--spp", "1"}), 3, "rendr: No such file or directory");
+  EXPECT_EQ(folder.names(), Names{});
+}
+
+TEST(BadInput, ABrokenSceneIsToldWithItsPlace) {
+  const CliFolder folder;
+  const std::string camera = "[camera]\norigin = [0,0,1]\ntarget = [0,0,0]\n";
+  folder.folder.write("syntax.toml", camera + "[film\n");
+  folder.folder.write("key.toml", camera + "[film]\nwidht = 4\n");
+  folder.folder.write("model.toml", camera + "[[models]]\nobj = 'broken.obj'\n");
+  folder.folder.write("broken.obj", "v 0 0 0\nv 1 0 nan\n");
+  folder.folder.write("missing.toml", camera + "[[models]]\nobj = 'nope.obj'\n");
+  for (const auto& [scene, place] : std::vector<std::pair<std::string, std::string>>{
+           {"syntax.toml", "syntax.toml:4:"},
+           {"key.toml", "key.toml:5:1: "},
+           {"model.toml", "broken.obj:2:7: "},
+           {"missing.toml", "missing.toml:5:7: "}}) {
+    const RunResult run = folder.run({scene, "-o", "x.png"});
+    EXPECT_EQ(run.exit_code, 3) << scene;
+    EXPECT_TRUE(run.err.starts_with("Raytracing: " + place)) << run.err;
+    EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+  EXPECT_EQ(folder.names(),
+            (Names{"broken.obj", "key.toml", "missing.toml", "model.toml", "syntax.toml"}));
+}
+
+TEST(BadInput, StrictRefusesWhatWasRepaired) {
+  const CliFolder folder;
+  folder.folder.write("s.toml",
+                      "[film]\nwidth = 2\nheight = 2\n[camera]\norigin = [0,0,1]\n"
+                      "target = [0,0,0]\n[[models]]\nobj = 'm.obj'\n");
+  folder.folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 2 4 3\n");
+  const RunResult lax = folder.run({"s.toml", "--quiet", "-o", "x.png"});
+  EXPECT_EQ(lax.exit_code, 0);
+  EXPECT_EQ(lax.err.substr(0, 17), "m.obj:5:1: repair") << lax.err;
+  folder.folder.write("x.png", "old");
+  const RunResult strict = folder.run({"s.toml", "--quiet", "--strict", "-o", "x.png"});
+  EXPECT_EQ(strict.exit_code, 3);
+  EXPECT_TRUE(strict.err.ends_with("Raytracing: --strict: 1 records repaired, 0 dropped\n"))
+      << strict.err;
+  EXPECT_EQ(folder.bytes("x.png"), "old");
+  EXPECT_EQ(folder.names(), (Names{"m.obj", "s.toml", "x.png"}));
+  folder.folder.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(folder.run({"s.toml", "--strict", "-o", "x.png"}).exit_code, 0);
+}
+
+// A rendering that would take hours, so that only a check before it can end in time.
+RunResult long_render(const CliFolder& folder, std::vector<std::string> outputs) {
+  outputs.insert(outputs.end(), {"--spp", "1000000000", "--quiet"});
+  RunOptions options;
+  options.folder = folder.folder.path();
+  options.limit = 20;
+  outputs.insert(outputs.begin(), kCornell);
+  return run_program(outputs, options);
+}
+
+TEST(BadOutput, IsFoundBeforeRendering) {
+  const CliFolder folder;
+  std::filesystem::create_directory(folder.folder / "d.png");
+  std::filesystem::create_symlink("/dev/full", folder.folder / "full.exr");
+  folder.folder.write("x.png", "old");
+  const Names before = folder.names();
+  for (const auto& [name, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"nope/x.png", "No such file or directory"},
+           {"d.png", "Is a directory"},
+           {"x.png/y.png", "Not a directory"},
+           {"/proc/x.png", ""},
+           {"full.exr", "not a regular file"},
+           {std::string(300, 'x') + ".png", "File name too long"}}) {
+    for (const std::vector<std::string>& outputs :
+         {std::vector<std::string>{"-o", name}, {"-o", "x.png", "-o", name},
+          {"-o", name, "-o", "x.png", "--stats", "s.json"}, {"-o", "x.png", "--stats", name}}) {
+      const RunResult run = long_render(folder, outputs);
+      EXPECT_EQ(run.exit_code, 4) << name;
+      EXPECT_TRUE(run.err.starts_with("Raytracing: " + name + ": cannot be written: " + reason))
+          << run.err;
+      EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+      EXPECT_EQ(run.out, "");
+      EXPECT_EQ(folder.names(), before) << name;
+      EXPECT_EQ(folder.bytes("x.png"), "old");
+    }
+  }
+}
+
+TEST(BadOutput, TheDefaultNameIsCheckedToo) {
+  const CliFolder folder;
+  std::filesystem::create_directory(folder.folder / "cornell.png");
+  expect_one_line(long_render(folder, {}), 4, "cornell.png: cannot be written: Is a directory");
+}
+
+TEST(BadOutput, AWriteThatFailsAtTheEndKeepsTheOldPicture) {
+  // The limit of the file size stands for a full disk.
+  const CliFolder folder;
+  folder.folder.write("x.exr", "old");
+  RunOptions options;
+  options.folder = folder.folder.path();
+  const RunResult run = run_any({"/bin/sh", "-c",
+                                 "trap '' XFSZ; ulimit -f 8; exec " +
+                                     std::string(RAYTRACING_PROGRAM) + " " + kCornell +
+                                     " --quiet --width 200 --height 100 --spp 1 -o x.exr"},
+                                options);
+  expect_one_line(run, 4, "x.exr: cannot be written: File too large");
+  EXPECT_EQ(folder.bytes("x.exr"), "old");
+  EXPECT_EQ(folder.names(), Names{"x.exr"});
+}
+
+}  // namespace
+}  // namespace raytracing

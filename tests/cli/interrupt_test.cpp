@@ -1,0 +1,96 @@
+// SIGINT and SIGTERM end a rendering early and keep what was computed.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "support/cli_folder.h"
+#include "support/read_image.h"
+
+namespace raytracing {
+namespace {
+
+/// A rendering of many minutes that gets a signal once it shows progress.
+RunResult interrupted(const CliFolder& folder, int signal, int count = 1) {
+  RunOptions options;
+  options.folder = folder.folder.path();
+  options.signal = signal;
+  options.signal_count = count;
+  options.signal_when = "\"progress\":";
+  return run_program({kCornell, "--width=64", "--height=64", "--spp=1000000", "--progress=jsonl",
+                      "-o", "x.exr", "-o", "x.png", "--stats", "x.json"},
+                     options);
+}
+
+void expect_partial_picture(const CliFolder& folder, const RunResult& run) {
+  EXPECT_FALSE(run.killed) << run.err;
+  EXPECT_LT(run.seconds, 30);
+  EXPECT_EQ(run.out, "x.exr\nx.png\n");
+  EXPECT_NE(run.err.find("stopped early: the picture is incomplete\n"), std::string::npos);
+  EXPECT_EQ(run.err.find("\"progress\":1"), std::string::npos) << run.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.exr", "x.json", "x.png"}));
+  const ReadImage image = read_image(folder.folder / "x.exr");
+  EXPECT_EQ(image.attribute("complete"), "no, stopped early");
+  float brightest = 0;
+  for (const float value : image.values) brightest = std::max(brightest, value);
+  EXPECT_GT(brightest, 0);
+  EXPECT_EQ(read_image(folder.folder / "x.png").attribute("complete"), "no, stopped early");
+  const nlohmann::json stats = folder.json("x.json");
+  EXPECT_EQ(stats["complete"], false);
+  EXPECT_GT(stats["paths"], 0);
+  EXPECT_LT(stats["paths"], 64ll * 64 * 1000000);
+}
+
+TEST(Interrupt, SigintKeepsThePicture) {
+  const CliFolder folder;
+  const RunResult run = interrupted(folder, SIGINT);
+  EXPECT_EQ(run.exit_code, 130);
+  expect_partial_picture(folder, run);
+}
+
+TEST(Interrupt, SigtermKeepsThePicture) {
+  const CliFolder folder;
+  const RunResult run = interrupted(folder, SIGTERM);
+  EXPECT_EQ(run.exit_code, 143);
+  expect_partial_picture(folder, run);
+}
+
+TEST(Interrupt, ASignalToldTwiceAtOnceIsOne) {
+  // As timeout(1) tells it: to the process, then to its group.
+  for (int i = 0; i < 3; ++i) {
+    const CliFolder folder;
+    const RunResult run = interrupted(folder, SIGTERM, 2);
+    EXPECT_EQ(run.exit_code, 143);
+    expect_partial_picture(folder, run);
+  }
+}
+
+TEST(Interrupt, AnyMomentLeavesEitherAllOrNothing) {
+  const CliFolder folder;
+  folder.folder.write("x.png", "the old picture");
+  for (int i = 0; i < 25; ++i) {
+    RunOptions options;
+    options.folder = folder.folder.path();
+    options.signal = SIGTERM;
+    options.signal_after = 0.002 * i;
+    const RunResult run = run_program({kCornell, "--spp=100000", "-o", "x.png"}, options);
+    EXPECT_EQ(run.exit_code, 143);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"x.png"}) << i << run.err;
+    if (run.out.empty()) {
+      EXPECT_EQ(folder.bytes("x.png"), "the old picture") << i;
+    } else {
+      EXPECT_EQ(read_image(folder.folder / "x.png").attribute("complete"), "no, stopped early");
+      folder.folder.write("x.png", "the old picture");
+    }
+  }
+}
+
+TEST(Interrupt, ACompletePictureSaysSo) {
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"-o", "x.exr", "--stats", "x.json"}).exit_code, 0);
+  EXPECT_EQ(read_image(folder.folder / "x.exr").attribute("complete"), "yes");
+  EXPECT_EQ(folder.json("x.json")["complete"], true);
+}
+
+}  // namespace
+}  // namespace raytracing

@@ -1,0 +1,212 @@
+// The options of the command line: each is in the help and is read, and wrong ones are told in one
+// line.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "raytracing/integrator/direct_method.h"
+#include "support/cli_folder.h"
+
+namespace raytracing {
+namespace {
+
+/// A plausible value of each option of the contract; "" for those without a value.
+const std::map<std::string, std::string> kContract{
+    {"--scene", kCornell},     {"--output", "x.png"},   {"--width", "3"},
+    {"--height", "3"},         {"--variance", ""},      {"--spp", "1"},
+    {"--line-rays", "2"},      {"--max-depth", "1"},    {"--light-sampling", "point"},
+    {"--seed", "7"},           {"--threads", "2"},      {"--sampler", "independent"},
+    {"--stats", "x.json"},     {"--progress", "jsonl"}, {"--quiet", ""},
+    {"--strict", ""},          {"--replay", "0,0,0"},   {"--list-methods", ""},
+    {"--version", ""},         {"--help", ""},
+};
+
+/// The names that the help lists at the start of its lines.
+std::set<std::string> options_in(const std::string& help) {
+  std::set<std::string> names;
+  const std::regex name("\n  (?:-[a-z], ?)?(--[a-z-]+)");
+  for (std::sregex_iterator i(help.begin(), help.end(), name), end; i != end; ++i)
+    names.insert((*i)[1]);
+  return names;
+}
+
+TEST(Options, HelpListsTheContract) {
+  const CliFolder folder;
+  const RunResult help = folder.run({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(help.err, "");
+  std::set<std::string> contract;
+  for (const auto& option : kContract) contract.insert(option.first);
+  EXPECT_EQ(options_in(help.out), contract);
+  EXPECT_NE(help.out.find("-o,--output"), std::string::npos);
+  EXPECT_EQ(help.out, folder.run({"render", "-h"}).out);
+}
+
+TEST(Options, HelpFitsATerminal) {
+  const std::string help = CliFolder().run({"--help"}).out;
+  std::istringstream lines(help.substr(0, help.find("Light sampling methods:")));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+}
+
+TEST(Options, EachOneOfTheHelpIsRead) {
+  const CliFolder folder;
+  for (const std::string& name : options_in(folder.run({"--help"}).out)) {
+    ASSERT_TRUE(kContract.contains(name)) << name;
+    std::vector<std::string> arguments;
+    // The scene comes as a positional argument unless it is the option under test.
+    if (name != "--scene") arguments.push_back(kCornell);
+    for (const char* small : {"--width", "--height", "--spp"})
+      if (name != small) arguments.insert(arguments.end(), {small, "1"});
+    std::vector<std::string> joined = arguments;
+    const std::string value = kContract.at(name);
+    arguments.push_back(name);
+    if (!value.empty()) arguments.push_back(value);
+    const RunResult run = folder.run(arguments);
+    EXPECT_EQ(run.exit_code, 0) << name << ": " << run.err;
+    if (value.empty()) continue;
+    joined.push_back(name + "=" + value);
+    EXPECT_EQ(folder.run(joined).exit_code, 0) << name;
+  }
+}
+
+TEST(Options, ListOfMethodsIsTheTable) {
+  const CliFolder folder;
+  const RunResult list = folder.run({"--list-methods"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_EQ(list.err, "");
+  EXPECT_EQ(lines_of(list.out), direct_methods().size());
+  std::istringstream lines(list.out);
+  std::size_t biased = 0;
+  for (const DirectMethod& method : direct_methods()) {
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line.substr(0, line.find(' ')), method.name);
+    EXPECT_NE(line.find(method.summary), std::string::npos) << line;
+    EXPECT_NE(line.find(method.cost), std::string::npos) << line;
+    EXPECT_EQ(line.find(" BIASED") != std::string::npos, !method.unbiased) << line;
+    biased += !method.unbiased;
+  }
+  EXPECT_EQ(biased, 1u);
+  const std::string help = folder.run({"--help"}).out;
+  EXPECT_NE(help.find(list.out), std::string::npos) << help;
+}
+
+TEST(Options, VersionNamesTheBuild) {
+  const RunResult run = CliFolder().run({"--version"});
+  EXPECT_EQ(run.exit_code, 0);
+  for (const char* part : {"Raytracing ", "build: ", "instruction set: ", "Embree", "OpenEXR",
+                           "OpenImageIO", "OBJ"})
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
+}
+
+struct Wrong {
+  std::vector<std::string> arguments;
+  std::string told;  ///< how the line goes on after "Raytracing: "
+};
+
+void expect_usage_error(const CliFolder& folder, const Wrong& wrong) {
+  std::string line;
+  for (const std::string& a : wrong.arguments) line += " " + a;
+  const RunResult run = folder.run(wrong.arguments);
+  EXPECT_EQ(run.exit_code, 2) << line;
+  EXPECT_EQ(run.out, "") << line;
+  EXPECT_EQ(run.err.substr(0, 12 + wrong.told.size()), "Raytracing: " + wrong.told) << line;
+  EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+  EXPECT_LE(run.err.size(), 200u) << run.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{}) << line;
+}
+
+TEST(WrongOptions, NumbersOutOfRange) {
+  const CliFolder folder;
+  for (const auto& [option, low, high, too_high] : std::vector<std::array<std::string, 4>>{
+           {"--spp", "1", "1099511627776", "1099511627777"},
+           {"--width", "1", "65536", "65537"},
+           {"--height", "1", "65536", "65537"},
+           {"--max-depth", "1", "1073741824", "1073741825"},
+           {"--threads", "1", "1024", "1025"},
+           {"--line-rays", "1", "65536", "65537"},
+           {"--seed", "0", "18446744073709551615", "18446744073709551616"}}) {
+    const std::string range = " is not in " + low + " .. " + high + "\n";
+    for (const std::string& value :
+         {std::string("-1"), too_high, std::string("99999999999999999999999")})
+      expect_usage_error(folder, {{kCornell, option, value}, option + ": " + value + range});
+    if (low == "1") expect_usage_error(folder, {{kCornell, option, "0"}, option + ": 0" + range});
+    for (const std::string value : {"x", "1.5", "1e3", "0x10", "+1", "-", "1 ", "-x"})
+      expect_usage_error(folder, {{kCornell, option + "=" + value},
+                                  option + ": '" + value + "' is not a whole number\n"});
+    expect_usage_error(folder, {{kCornell, option}, option + ": needs a value"});
+  }
+}
+
+TEST(WrongOptions, Names) {
+  const CliFolder folder;
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {{kCornell, "--light-sampling", "solid-angel"},
+            "--light-sampling: 'solid-angel' is not point, solid-angle"},
+           {{kCornell, "--sampler", "Sobol"}, "--sampler: 'Sobol' is not sobol or independent; the "
+                                              "nearest is sobol\n"},
+           {{kCornell, "--progress", "json"},
+            "--progress: 'json' is not auto, bar, jsonl or none; the nearest is jsonl\n"},
+           {{kCornell, "--light-samplin", "point"},
+            "--light-samplin: no such option; the nearest is --light-sampling"},
+           {{kCornell, "--seet=3"}, "--seet: no such option; the nearest is --seed"},
+           {{"--sead", "3"}, "--sead: no such option; the nearest is --seed"},
+           {{kCornell, "-x"}, "-x: no such option"}})
+    expect_usage_error(folder, wrong);
+  const RunResult run = folder.run({kCornell, "--light-sampling", "solid-angel"});
+  EXPECT_TRUE(run.err.ends_with("; the nearest is solid-angle\n")) << run.err;
+}
+
+TEST(WrongOptions, ShapeOfTheCommandLine) {
+  const CliFolder folder;
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {{}, "no scene file given"},
+           {{"render"}, "no scene file given"},
+           {{kCornell, "b.toml"}, "b.toml: one scene file is enough"},
+           {{kCornell, "--scene", kCornell}, "--scene: given more than once"},
+           {{kCornell, "--seed", "1", "--seed", "2"}, "--seed: given more than once"},
+           {{kCornell, "--quiet=3"}, "--quiet: takes no value"},
+           {{kCornell, "--output"}, "--output: needs a value"},
+           {{kCornell, "-o"}, "--output: needs a value"},
+           {{kCornell, "--stats"}, "--stats: needs a value"},
+           {{kCornell, "-o", "x.jpg"}, "x.jpg: the name of an image must end in .png or .exr"},
+           {{kCornell, "-o", ".png"}, ".png: "},
+           {{kCornell, "--replay", "1,2"}, "--replay: '1,2' is not X,Y,SAMPLE"},
+           {{kCornell, "--replay", "1,2,3,4"}, "--replay: '2,3' is not a whole number"},
+           {{kCornell, "--replay", "1,2,x"}, "--replay: 'x' is not a whole number"},
+           {{kCornell, "--replay", "-1,0,0"}, "--replay: -1 is not in 0 .. 65535"},
+           {{kCornell, "--replay", "65536,0,0"}, "--replay: 65536 is not in 0 .. 65535"}})
+    expect_usage_error(folder, wrong);
+}
+
+TEST(WrongOptions, ReplayOutsideOfThePicture) {
+  const CliFolder folder;
+  for (const char* replay : {"12,0,0", "0,8,0", "0,0,2"}) {
+    const RunResult run = folder.render({"--quiet", "--replay", replay});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.err, std::string("Raytracing: --replay: ") + replay +
+                           " lies outside 12x8 pixels and 2 spp\n");
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+TEST(Options, LeadingZerosAreDecimal) {
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"--spp", "010", "--stats", "s.json"}).exit_code, 0);
+  EXPECT_EQ(folder.json("s.json")["spp"], 10);
+}
+
+TEST(Options, FullStandardOutputIsAnError) {
+  const RunResult run =
+      run_any({"/bin/sh", "-c", std::string(RAYTRACING_PROGRAM) + " --list-methods > /dev/full"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, "Raytracing: standard output: cannot be written\n");
+}
+
+}  // namespace
+}  // namespace raytracing

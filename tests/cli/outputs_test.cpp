@@ -1,0 +1,173 @@
+// What a good run leaves behind: pictures, their headers, statistics.
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/cli_folder.h"
+#include "support/read_image.h"
+
+namespace raytracing {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(Outputs, DefaultNameIsTheScenesInTheWorkingDirectory) {
+  const CliFolder folder;
+  const RunResult run = folder.render({});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "cornell.png\n");
+  EXPECT_EQ(folder.names(), Names{"cornell.png"});
+  EXPECT_EQ(read_image(folder.folder / "cornell.png").spec.width, 12);
+}
+
+TEST(Outputs, AllAreWrittenAndToldOnStdout) {
+  const CliFolder folder;
+  folder.folder.write("old.png", "not a picture");
+  const RunResult run =
+      folder.render({"-o", "a.exr", "--output", "b.PNG", "--output=old.png", "--stats", "s.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, "a.exr\nb.PNG\nold.png\n");
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.PNG", "old.png", "s.json"}));
+  EXPECT_EQ(folder.bytes("b.PNG").substr(1, 3), "PNG");
+  EXPECT_EQ(read_image(folder.folder / "old.png").spec.width, 12);
+}
+
+TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"--stats", "s.json", "-o", "x.exr", "--seed", "18446744073709551615",
+                           "--threads", "2", "--max-depth", "3", "--width", "40"})
+                .exit_code,
+            0);
+  const nlohmann::json s = folder.json("s.json");
+  const std::set<std::string> contract{
+      "scene",          "light_sampling", "sampler",        "spp",           "width",
+      "height",         "max_depth",      "seed",           "threads",       "load_seconds",
+      "build_seconds",  "render_seconds", "cpu_seconds",    "paths",         "paths_per_second",
+      "rays_closest",   "rays_shadow",    "segment_queries", "peak_rss_bytes",
+      "non_finite_samples", "mean_rgb"};
+  for (const std::string& key : contract) EXPECT_TRUE(s.contains(key)) << key;
+  EXPECT_EQ(s["scene"], kCornell);
+  EXPECT_EQ(s["light_sampling"], "solid-angle");
+  EXPECT_EQ(s["sampler"], "sobol");
+  EXPECT_EQ(s["spp"], 2);
+  EXPECT_EQ(s["width"], 40);
+  EXPECT_EQ(s["height"], 8);
+  EXPECT_EQ(s["max_depth"], 3);
+  EXPECT_EQ(s["seed"], 18446744073709551615u);
+  EXPECT_EQ(s["threads"], 2);
+  const double paths = 40 * 8 * 2;
+  EXPECT_EQ(s["paths"], paths);
+  const double seconds = s["render_seconds"];
+  EXPECT_GT(seconds, 0);
+  EXPECT_LT(seconds, 60);
+  EXPECT_NEAR(s["paths_per_second"].get<double>() * seconds, paths, 1e-6 * paths);
+  EXPECT_GT(s["load_seconds"], 0);
+  EXPECT_GT(s["build_seconds"], 0);
+  EXPECT_GT(s["cpu_seconds"], 0);
+  EXPECT_GE(s["rays_closest"], paths);
+  EXPECT_LE(s["rays_closest"], 3 * paths);
+  EXPECT_GT(s["rays_shadow"], 0);
+  EXPECT_LE(s["rays_shadow"], s["rays_closest"]);
+  EXPECT_EQ(s["segment_queries"], 0);
+  EXPECT_GT(s["peak_rss_bytes"], 1e6);
+  EXPECT_EQ(s["non_finite_samples"], 0);
+  const ReadImage image = read_image(folder.folder / "x.exr");
+  for (int c = 0; c < 3; ++c) {
+    double sum = 0;
+    for (std::size_t i = static_cast<std::size_t>(c); i < image.values.size(); i += 3)
+      sum += image.values[i];
+    EXPECT_NEAR(s["mean_rgb"][static_cast<std::size_t>(c)], sum / (40 * 8), 1e-5 * sum);
+  }
+}
+
+TEST(Outputs, UnlimitedDepthIsNull) {
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"--stats", "s.json"}).exit_code, 0);
+  EXPECT_TRUE(folder.json("s.json")["max_depth"].is_null());
+}
+
+TEST(Outputs, HeadersTellHowThePictureWasMade) {
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"-o", "it's.exr", "-o", "x.png", "--seed", "42", "--threads", "2",
+                           "--max-depth", "3", "--light-sampling", "line-ratio", "--sampler",
+                           "independent"})
+                .exit_code,
+            0);
+  const std::string command = std::string(RAYTRACING_PROGRAM) + " " + kCornell +
+                              " --width=12 --height=8 --spp=2 -o 'it'\\''s.exr' -o x.png --seed 42"
+                              " --threads 2 --max-depth 3 --light-sampling line-ratio"
+                              " --sampler independent";
+  for (const char* name : {"it's.exr", "x.png"}) {
+    const ReadImage image = read_image(folder.folder / name);
+    const auto text = [&](const char* key) { return image.attribute(key); };
+    EXPECT_TRUE(text("software").starts_with("Raytracing ") ||
+                text("Software").starts_with("Raytracing "))
+        << name;
+    EXPECT_NE(text("build"), "") << name;
+    EXPECT_EQ(text("argv"), command);
+    EXPECT_EQ(text("scene"), kCornell);
+    EXPECT_EQ(text("sceneHash").size(), 16u);
+    EXPECT_EQ(text("seed"), "42");
+    EXPECT_EQ(text("spp"), "2");
+    EXPECT_EQ(text("sampler"), "independent");
+    EXPECT_EQ(text("lightSampling"), "line-ratio");
+    EXPECT_EQ(text("lightSamplingBiased"), "yes");
+    EXPECT_EQ(text("maxDepth"), "3");
+    EXPECT_EQ(text("threads"), "2");
+    EXPECT_GT(std::stod(text("renderSeconds")), 0);
+    EXPECT_EQ(text("nonFiniteSamples"), "0");
+    EXPECT_EQ(text("complete"), "yes");
+  }
+}
+
+TEST(Outputs, TheLargestSeedKeepsItsDigitsInTheHeader) {
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"-o", "x.exr", "--seed", "18446744073709551615"}).exit_code, 0);
+  const ReadImage image = read_image(folder.folder / "x.exr");
+  EXPECT_EQ(image.attribute("seed"), "18446744073709551615");
+  EXPECT_EQ(image.attribute("lightSamplingBiased"), "no");
+}
+
+TEST(Outputs, TheSceneHashCoversTheModels) {
+  const CliFolder folder;
+  const auto hash = [&](const char* kd) {
+    folder.folder.write("m.mtl", std::string("newmtl a\nKd ") + kd + "\n");
+    folder.folder.write("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.folder.write("s.toml",
+                        "[film]\nwidth = 2\nheight = 2\n[camera]\norigin = [0,0,1]\n"
+                        "target = [0,0,0]\n[[models]]\nobj = 'm.obj'\n");
+    EXPECT_EQ(folder.run({"s.toml", "-o", "x.exr"}).exit_code, 0);
+    return read_image(folder.folder / "x.exr").attribute("sceneHash");
+  };
+  const std::string first = hash("0.5 0.5 0.5");
+  EXPECT_EQ(first, hash("0.5 0.5 0.5"));
+  EXPECT_NE(first, hash("0.5 0.5 0.6"));
+}
+
+TEST(Outputs, AnEmptySceneIsBlackWithAWarning) {
+  const CliFolder folder;
+  folder.folder.write("empty.toml",
+                      "[film]\nwidth = 4\nheight = 3\n[camera]\norigin = [0,0,1]\n"
+                      "target = [0,0,0]\n");
+  const RunResult run = folder.run({"empty.toml", "--quiet", "-o", "x.exr"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "warning: the scene has no light; the picture will be black\n");
+  EXPECT_EQ(read_image(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
+}
+
+TEST(Outputs, ASceneWithoutLightIsBlackWithAWarning) {
+  const CliFolder folder;
+  folder.folder.write("m.obj", "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n");
+  folder.folder.write("dark.toml",
+                      "[film]\nwidth = 4\nheight = 3\n[camera]\norigin = [0,0,1]\n"
+                      "target = [0,0,0]\n[[models]]\nobj = 'm.obj'\n");
+  const RunResult run = folder.run({"dark.toml", "-o", "x.exr"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("warning: the scene has no light; the picture will be black\n"),
+            std::string::npos);
+  EXPECT_EQ(read_image(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
+}
+
+}  // namespace
+}  // namespace raytracing

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raytracing/io/file.h"
+#include "support/run_program.h"
+#include "support/temp_dir.h"
+
+namespace raytracing {
+
+/// The Cornell box, and options that render it in no time.
+inline const std::string kCornell = std::string(RAYTRACING_SOURCE_DIR) + "/scenes/cornell.toml";
+
+/// An empty working directory for runs of the program.
+class CliFolder {
+ public:
+  /// Runs the program here.
+  RunResult run(std::vector<std::string> arguments) const {
+    return run_program_in(folder.path(), std::move(arguments));
+  }
+
+  /// Renders the Cornell box, 12 x 8 pixels at 2 spp unless told otherwise, with more options.
+  RunResult render(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{kCornell};
+    for (const char* option : {"--width=12", "--height=8", "--spp=2"}) {
+      const std::string name = std::string(option).substr(0, std::string(option).find('='));
+      const bool told = std::any_of(more.begin(), more.end(), [&](const std::string& m) {
+        return m == name || m.starts_with(name + "=");
+      });
+      if (!told) arguments.push_back(option);
+    }
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  /// Names of what lies here, hidden files too, sorted.
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      result.push_back(entry.path().filename().string());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  std::string bytes(const std::string& name) const { return read_file(folder / name); }
+  nlohmann::json json(const std::string& name) const {
+    return nlohmann::json::parse(bytes(name));
+  }
+
+  TempDir folder;
+};
+
+inline std::size_t lines_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace raytracing
