@@ -160,7 +160,8 @@ TEST(Effects, ProgressLinesAreJsonAndNeverEndEarly) {
 TEST(Effects, ProgressIsABarOrNothing) {
   const CliFolder folder;
   const std::string bar = folder.render({"--progress", "bar", "-o", "x.png"}).err;
-  EXPECT_NE(bar.find("\r[########################################] 100 %"), std::string::npos) << bar;
+  const std::string full = "\r[" + std::string(40, '#') + "] 100 %";
+  EXPECT_NE(bar.find(full), std::string::npos) << bar;
   for (const char* style : {"none", "auto"}) {  // a pipe is no terminal
     const std::string err = folder.render({"--progress", style, "-o", "x.png"}).err;
     EXPECT_EQ(err.find('\r'), std::string::npos) << err;

@@ -1,0 +1,171 @@
+// The pictures of scenes/ against references that were rendered once (data/reference/make.sh).
+//
+// The tests render with another seed and independent samples, so that the variances are true ones.
+// 256 samples per pixel: the mean of a block of 64 pixels is then one of 16384 samples, which is
+// normal enough for z-tests although single samples are skewed; for single pixels see
+// support/compare_pictures.h. Seeds are fixed: a test that passed passes again until the code changes.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+#include "raytracing/io/file.h"
+#include "raytracing/io/image_file.h"
+#include "raytracing/io/scene_file.h"
+#include "raytracing/render/render.h"
+#include "support/compare_pictures.h"
+#include "support/read_image.h"
+
+namespace raytracing {
+namespace {
+
+constexpr int kSize = 64;
+constexpr std::uint64_t kSpp = 256;
+
+const std::filesystem::path kSource = RAYTRACING_SOURCE_DIR;
+
+std::filesystem::path reference_path(const std::string& scene) {
+  return kSource / "tests/data/reference" / (scene + ".exr");
+}
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "scenes"))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+SceneDescription load_scene(const std::string& name) {
+  LoadReport report;
+  return load_scene_file((kSource / "scenes" / (name + ".toml")).string(), direct_method_names(),
+                         report)
+      .scene;
+}
+
+NoisyPicture render_picture(SceneDescription description, std::string_view method,
+                            std::uint64_t seed) {
+  const Scene scene(std::move(description), 2);
+  RenderOptions options;
+  options.width = options.height = kSize;
+  options.spp = kSpp;
+  options.seed = seed;
+  options.threads = 2;
+  options.sampler = SamplerKind::independent;
+  options.shade.method = find_direct_method(method);
+  const RenderResult result = render(scene, options, false, nullptr);
+  EXPECT_EQ(result.non_finite_samples, 0u);
+  NoisyPicture picture{kSize, kSize, static_cast<double>(kSpp), {}, {}};
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      picture.mean.push_back(result.film.at(x, y).mean());
+      picture.variance.push_back(result.film.at(x, y).variance_of_mean());
+    }
+  return picture;
+}
+
+NoisyPicture read_reference(const std::string& scene) {
+  const ReadImage image = read_image(reference_path(scene).string());
+  EXPECT_EQ(image.attribute("sampler"), "independent");
+  EXPECT_EQ(image.attribute("complete"), "yes");
+  NoisyPicture picture{image.spec.width, image.spec.height, std::stod(image.attribute("spp")), {},
+                       {}};
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const auto channels = [&](const std::string& prefix) {
+        return DVec3(image.at(x, y, prefix + "R"), image.at(x, y, prefix + "G"),
+                     image.at(x, y, prefix + "B"));
+      };
+      picture.mean.push_back(channels(""));
+      picture.variance.push_back(channels("variance."));
+    }
+  return picture;
+}
+
+void write_picture(const std::filesystem::path& path, const std::vector<DVec3>& pixels) {
+  ImageData image{kSize, kSize, {"R", "G", "B"}, {}, {}};
+  for (const DVec3& p : pixels)
+    for (double c : {p.x, p.y, p.z}) image.values.push_back(static_cast<float>(c));
+  std::ofstream(path, std::ios::binary) << encode_image(image, image_format(path.string()));
+  std::cerr << "written: " << path.string() << "\n";
+}
+
+/// Picture, difference and z map for the people who have to find out why. In the PNG of the z map
+/// middle grey is 0, and 4 standard deviations end the scale.
+void write_artefacts(const std::string& name, const NoisyPicture& test,
+                     const NoisyPicture& reference, const PictureComparison& comparison) {
+  const std::filesystem::path folder = std::filesystem::current_path() / "regression_failures";
+  std::filesystem::create_directories(folder);
+  std::vector<DVec3> difference, shown;
+  for (std::size_t i = 0; i < test.mean.size(); ++i) {
+    difference.push_back(test.mean[i] - reference.mean[i]);
+    shown.push_back(0.2 + 0.05 * comparison.z[i]);
+  }
+  write_picture(folder / (name + ".png"), test.mean);
+  write_picture(folder / (name + ".exr"), test.mean);
+  write_picture(folder / (name + "_difference.exr"), difference);
+  write_picture(folder / (name + "_z.exr"), comparison.z);
+  write_picture(folder / (name + "_z.png"), shown);
+}
+
+void expect_same(const std::string& scene, std::string_view method, std::uint64_t seed) {
+  const NoisyPicture reference = read_reference(scene);
+  const NoisyPicture test = render_picture(load_scene(scene), method, seed);
+  const PictureComparison comparison = compare_pictures(test, reference);
+  EXPECT_TRUE(comparison.same) << comparison.text();
+  if (!comparison.same)
+    write_artefacts(scene + "_" + std::string(method), test, reference, comparison);
+}
+
+class Regression : public testing::TestWithParam<std::string> {};
+
+TEST_P(Regression, PictureIsTheReference) { expect_same(GetParam(), "solid-angle", 2); }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Regression, testing::ValuesIn(scene_names()),
+                         [](const auto& scene) {
+                           std::string name = scene.param;
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
+                         });
+
+TEST(RegressionMethods, EachUnbiasedMethodGivesTheSamePicture) {
+  for (const DirectMethod& method : direct_methods()) {
+    if (!method.unbiased || method.name == "solid-angle") continue;
+    SCOPED_TRACE(method.name);
+    expect_same("cornell", method.name, 3);
+    expect_same("glossy", method.name, 3);
+  }
+}
+
+TEST(RegressionReferences, ThereIsOneForEachSceneAndNoOther) {
+  std::set<std::string> references;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "tests/data/reference"))
+    if (entry.path().extension() == ".exr") references.insert(entry.path().stem().string());
+  const std::vector<std::string> scenes = scene_names();
+  EXPECT_EQ(references, std::set<std::string>(scenes.begin(), scenes.end()));
+}
+
+// The comparison itself: it sees one reflectance changed by 2 per cent.
+TEST(RegressionComparison, SeesTwoPerCentOfOneReflectance) {
+  const NoisyPicture reference = read_reference("cornell");
+  const SceneDescription original = load_scene("cornell");
+  for (const char* name : {"white", "red", "green"}) {
+    SceneDescription changed = original;
+    int found = 0;
+    for (Surface& surface : changed.surfaces)
+      if (surface.name == name) {
+        std::get<Diffuse>(surface.material).reflectance *= 1.02f;
+        ++found;
+      }
+    ASSERT_EQ(found, 1) << name;
+    const NoisyPicture test = render_picture(std::move(changed), "solid-angle", 2);
+    const PictureComparison comparison = compare_pictures(test, reference);
+    EXPECT_FALSE(comparison.same) << name << "\n" << comparison.text();
+  }
+}
+
+}  // namespace
+}  // namespace raytracing
