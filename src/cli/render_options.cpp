@@ -107,7 +107,8 @@ struct OptionList {
         ->type_name("FILE")
         ->take_all()
         ->expected(1);
-    add_number("--width", a.width, 1, kMaxImageSize, "Picture width in pixels; default: the scene's");
+    add_number("--width", a.width, 1, kMaxImageSize,
+               "Picture width in pixels; default: the scene's");
     add_number("--height", a.height, 1, kMaxImageSize,
                "Picture height in pixels; default: the scene's");
     add_switch("--variance", a.variance,
