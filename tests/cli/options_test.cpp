@@ -112,7 +112,10 @@ struct Wrong {
 void expect_usage_error(const CliFolder& folder, const Wrong& wrong) {
   std::string line;
   for (const std::string& a : wrong.arguments) line += " " + a;
-  const RunResult run = folder.run(wrong.arguments);
+  RunOptions options;
+  options.folder = folder.folder.path();
+  options.limit = 10;  // a value that is taken by mistake may start a long rendering
+  const RunResult run = run_program(wrong.arguments, options);
   EXPECT_EQ(run.exit_code, 2) << line;
   EXPECT_EQ(run.out, "") << line;
   EXPECT_EQ(run.err.substr(0, 12 + wrong.told.size()), "Raytracing: " + wrong.told) << line;

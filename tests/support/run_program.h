@@ -30,7 +30,7 @@ struct RunResult {
 
 struct RunOptions {
   std::string folder = ".";  ///< working directory
-  int signal = 0;            ///< sent `signal_count` times in a row, 0 = none
+  int signal = 0;            ///< sent `signal_count` times, 2 ms apart; 0 = none
   int signal_count = 1;
   double signal_after = 0;       ///< seconds
   std::string signal_when = "";  ///< send it once this was seen on stderr, then wait signal_after
@@ -113,7 +113,10 @@ inline RunResult run_any(const std::vector<std::string>& arguments,
     }
     if (armed && seen && since(seen_at) >= options.signal_after) {
       armed = false;
-      for (int i = 0; i < options.signal_count; ++i) ::kill(pid, options.signal);
+      for (int i = 0; i < options.signal_count; ++i) {
+        if (i > 0) ::usleep(2000);  // two that wait at the same time would become one
+        ::kill(pid, options.signal);
+      }
     }
     if (since(start) > options.limit) ::kill(pid, SIGKILL);
   }
