@@ -1,5 +1,5 @@
 #pragma once
-// Statistics for the tests: means, z-tests, chi-square tests, quadrature, fixed-seed random numbers.
+// Statistics for the tests: means, z-tests, chi-square tests, quadrature, seeded random numbers.
 // A test asks for a p-value and expects it above `sidak_level(kFamilyLevel, number of tests)`.
 
 #include <algorithm>
@@ -31,7 +31,8 @@ inline double sidak_level(double family, double tests) {
 class TestRandom {
  public:
   explicit TestRandom(std::uint64_t seed) : engine_(seed) {}
-  float unit() { return unit_float(static_cast<std::uint32_t>(engine_() >> 32)); }  ///< [0,1)
+  std::uint64_t bits() { return engine_(); }
+  float unit() { return unit_float(static_cast<std::uint32_t>(bits() >> 32)); }  ///< [0,1)
   float between(float a, float b) { return a + (b - a) * unit(); }
   Vec2 unit2() {
     const float x = unit();
