@@ -12,8 +12,8 @@
 namespace raytracing {
 namespace {
 
-// Below the first, rounding of the rectangle's solid angle (3e-7) exceeds 1e-4 of it, and uniform
-// in area is nearly uniform in solid angle anyway. Above the second (2 pi is the plane of the light
+// Below the first, rounding of the rectangle's solid angle may exceed 1e-4 of it, and uniform in
+// area is nearly uniform in solid angle anyway. Above the second (2 pi is the plane of the light
 // itself) the warp's inverse loses its digits.
 constexpr float kSmallestSolidAngle = 3e-3f;
 constexpr float kLargestSolidAngle = 6.2f;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "raytracing/math/numeric.h"
@@ -9,10 +10,25 @@
 namespace raytracing {
 namespace {
 
-// The angle whose cosine is -a b, as a unit complex number (cosine, sine).
-Vec2 inner_angle(float a, float b) {
-  const float c = -a * b;
-  return {c, safe_sqrt((1 - c) * (1 + c))};
+// Keeps the planes of an observer on the line of an edge free of 0 / 0.
+constexpr float kSmallest = std::numeric_limits<float>::min();
+
+// The plane through the observer and one edge, by the angle of its normal from the rectangle's.
+struct EdgePlane {
+  float cosine, sine;
+  // `offset` of the edge from the observer's foot, inwards; `height` of the observer.
+  EdgePlane(float offset, float height) {
+    const float distance = std::sqrt(std::max(height * height + offset * offset, kSmallest));
+    cosine = offset / distance;
+    sine = height / distance;
+  }
+};
+
+// The angle between neighbouring planes, whose cosine is -a b, as a unit complex number (cosine,
+// sine). Its sine comes without cancellation from the sines, which an observer close to the
+// rectangle's plane needs.
+Vec2 inner_angle(const EdgePlane& a, const EdgePlane& b) {
+  return {-a.cosine * b.cosine, std::sqrt(square(a.sine) + square(a.cosine * b.sine))};
 }
 
 Vec2 complex_product(const Vec2& a, const Vec2& b) {
@@ -34,19 +50,14 @@ SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& f
   x1_ = x0_ + rectangle.width;
   y1_ = y0_ + rectangle.height;
 
-  // z components of the unit normals of the planes through `from` and each edge.
-  const float zz = z0_ * z0_;
-  const float n0 = -y0_ / std::sqrt(zz + y0_ * y0_);
-  const float n1 = x1_ / std::sqrt(zz + x1_ * x1_);
-  const float n2 = y1_ / std::sqrt(zz + y1_ * y1_);
-  const float n3 = -x0_ / std::sqrt(zz + x0_ * x0_);
+  const EdgePlane n0(-y0_, -z0_), n1(x1_, -z0_), n2(y1_, -z0_), n3(-x0_, -z0_);
   // The rectangle's inner angles on the sphere as unit complex numbers; their product turns by
   // solid angle + 2 pi. Ureña's k = 2 pi - g2 - g3 stays a complex number too.
   const Vec2 g01 = complex_product(inner_angle(n0, n1), inner_angle(n1, n2));
   const Vec2 g23 = complex_product(inner_angle(n2, n3), inner_angle(n3, n0));
   const Vec2 all = complex_product(g01, g23);
-  b0_ = n0;
-  b1_ = n2;
+  b0_ = n0.cosine;
+  b1_ = n2.cosine;
   k_ = {g23.x, -g23.y};
   solid_angle_ = std::atan2(all.y, all.x);
   if (solid_angle_ < 0) solid_angle_ += 2 * kPi;
