@@ -123,10 +123,9 @@ std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const
   if (!usable(seen.sum)) return sample_by_area(light, from, u);
   const auto choice = DiscreteDistribution(seen.each).sample(u.x);
   const SphericalTriangle triangle(fan_triangle(light, choice.index), from);
-  const std::optional<Vec3> w = triangle.sample({choice.u, u.y});
-  if (!w) return std::nullopt;
-  const float distance = dot(light.corners[0] - from, light.normal) / dot(*w, light.normal);
-  return SolidAngleSample{from + distance * *w, 1 / seen.sum};
+  const std::optional<Vec3> q = triangle.sample({choice.u, u.y});
+  if (!q) return std::nullopt;
+  return SolidAngleSample{*q, 1 / seen.sum};
 }
 
 float solid_angle_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q) {

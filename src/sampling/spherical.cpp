@@ -79,7 +79,10 @@ Vec3 SphericalRectangle::sample(const Vec2& u) const {
 }
 
 SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const Vec3& from)
-    : a_(normalize(DVec3(corners[0]) - DVec3(from))),
+    : from_(from),
+      normal_(cross(DVec3(corners[1]) - DVec3(corners[0]), DVec3(corners[2]) - DVec3(corners[0]))),
+      height_(dot(DVec3(corners[0]) - DVec3(from), normal_)),
+      a_(normalize(DVec3(corners[0]) - DVec3(from))),
       b_(normalize(DVec3(corners[1]) - DVec3(from))),
       c_(normalize(DVec3(corners[2]) - DVec3(from))) {
   const double volume = std::abs(dot(a_, cross(b_, c_)));
@@ -92,7 +95,7 @@ SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const V
 }
 
 std::optional<Vec3> SphericalTriangle::sample(const Vec2& u) const {
-  if (!(solid_angle_ > 0)) return std::nullopt;
+  if (!(solid_angle_ > 0) || height_ == 0) return std::nullopt;
   // The sub-triangle (A, B, C') with the share u.x of the area: Arvo's q is cos of the arc AC'.
   const double phi = u.x * solid_angle_ - alpha_;
   const double s = std::sin(phi), t = std::cos(phi);
@@ -109,8 +112,10 @@ std::optional<Vec3> SphericalTriangle::sample(const Vec2& u) const {
   const double z = 1 - u.y * (1 - dot(c_prime, b_));
   const DVec3 towards = c_prime - dot(c_prime, b_) * b_;
   const double span = length(towards);
-  if (!(span > 0)) return Vec3(b_);
-  return Vec3(z * b_ + std::sqrt(std::max(0.0, (1 - z) * (1 + z))) * (towards / span));
+  const DVec3 w =
+      span > 0 ? z * b_ + std::sqrt(std::max(0.0, (1 - z) * (1 + z))) * (towards / span) : b_;
+  // In double too: a direction rounded to float that grazes the plane meets it far away.
+  return Vec3(from_ + (height_ / dot(w, normal_)) * w);
 }
 
 }  // namespace raytracing

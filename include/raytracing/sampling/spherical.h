@@ -42,11 +42,14 @@ class SphericalTriangle {
 
   /// Steradians (Van Oosterom & Strackee 1983, eq. 8).
   double solid_angle() const { return solid_angle_; }
-  /// A unit direction, uniform in solid angle; nothing for a degenerate triangle.
+  /// A point of the triangle; its direction is uniform in solid angle. Nothing for a degenerate
+  /// triangle or one seen from within its plane.
   std::optional<Vec3> sample(const Vec2& u) const;
 
  private:
-  DVec3 a_, b_, c_;
+  DVec3 from_, normal_;  // of any length
+  double height_;        // of the plane, in lengths of the normal
+  DVec3 a_, b_, c_;      // unit directions of the corners
   double alpha_, cos_c_, solid_angle_;
 };
 
