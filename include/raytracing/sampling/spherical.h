@@ -21,7 +21,7 @@ class SphericalRectangle {
  public:
   SphericalRectangle(const Rectangle& rectangle, const Vec3& from);
 
-  /// Steradians, with an absolute error below 7e-7 (float), plus what the rounding of the place of
+  /// Steradians, with an absolute error below 1e-6 (float), plus what the rounding of the place of
   /// `from` relative to the rectangle makes when it is close to an edge. The relative error stays
   /// below 1e-4 where the solid angle exceeds 3e-3.
   float solid_angle() const { return solid_angle_; }
