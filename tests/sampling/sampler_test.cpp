@@ -17,6 +17,8 @@ const double kLevel = sidak_level(kFamilyLevel, 60);
 
 TEST(PathSampler, KindsHaveNames) {
   for (SamplerKind kind : kBoth) EXPECT_EQ(sampler_kind(to_string(kind)), kind);
+  EXPECT_EQ(to_string(SamplerKind::sobol), "sobol");
+  EXPECT_EQ(to_string(SamplerKind::independent), "independent");
   EXPECT_EQ(sampler_kind("halton"), std::nullopt);
 }
 
