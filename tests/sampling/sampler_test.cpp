@@ -137,7 +137,7 @@ TEST(PathSampler, ExtraNumbersAreIndependent) {
       const auto of = [&](const PathSampler& s) {
         return std::array{s.extra(d, 0), s.extra(d, 1), s.extra(d, 2), s.extra(d + 1, 0)};
       };
-      const auto with_pair = [&](PathSampler s) {
+      const auto with_pair = [&](PathSampler&& s) {
         return join(s.pair(d), {s.extra(d, 0), s.extra(d, 1)});
       };
       const auto sample = [&](std::uint32_t i) { return PathSampler(kind, 5, 9, 9, i); };
