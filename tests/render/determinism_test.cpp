@@ -1,0 +1,182 @@
+// A picture is a function of scene, options and seed: not of threads, tiles or order.
+
+#include <gtest/gtest.h>
+
+#include "raytracing/render/render.h"
+#include "support/scenes.h"
+
+namespace raytracing {
+namespace {
+
+/// A room with a metal ball: several bounces, two materials, shadows.
+Scene room() {
+  SceneMaker maker;
+  const auto wall = maker.add_surface(Diffuse{Rgb(0.7f, 0.5f, 0.3f)});
+  const auto light = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(5.0f, 4.0f, 3.0f));
+  maker.description.meshes.push_back(inward_box(1, wall));
+  maker.add_polygon(parallelogram({0, 0.95f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}), light);
+  maker.add_sphere({0.2f, -0.6f, -0.2f}, 0.4f,
+                   maker.add_surface(GgxConductor{Rgb(0.9f), 0.16f}));
+  maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 70};
+  return maker.build();
+}
+
+RenderOptions options_of(SamplerKind sampler) {
+  RenderOptions options;
+  options.width = 37;
+  options.height = 23;
+  options.spp = 21;
+  options.shade.method = &direct_methods()[0];
+  options.sampler = sampler;
+  options.seed = 7;
+  return options;
+}
+
+RenderResult render_all(const Scene& scene, const RenderOptions& options) {
+  const std::atomic<bool> stop = false;
+  return render(scene, options, stop, {});
+}
+
+bool same_pixel(const Film::Pixel& a, const Film::Pixel& b) {
+  return a.sum == b.sum && a.sum_of_squares == b.sum_of_squares && a.samples == b.samples;
+}
+
+/// Number of pixels that differ in any bit of their sums.
+int differing_pixels(const Film& a, const Film& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) count += same_pixel(a.at(x, y), b.at(x, y)) ? 0 : 1;
+  return count;
+}
+
+constexpr SamplerKind kSamplers[]{SamplerKind::sobol, SamplerKind::independent};
+
+TEST(Determinism, PictureDependsNeitherOnThreadsNorOnTiles) {
+  const Scene scene = room();
+  for (const SamplerKind sampler : kSamplers)
+    for (const DirectMethod& method : direct_methods()) {
+      RenderOptions options = options_of(sampler);
+      options.shade.method = &method;
+      const RenderResult first = render_all(scene, options);
+      EXPECT_TRUE(first.complete);
+      EXPECT_GT(first.film.mean().x, 0.01);
+      for (const int threads : {1, 2, 7})
+        for (const int tile_size : {8, 16, 33}) {
+          options.threads = threads;
+          options.tile_size = tile_size;
+          const RenderResult other = render_all(scene, options);
+          EXPECT_EQ(differing_pixels(first.film, other.film), 0)
+              << method.name << ", " << threads << " threads, tile size " << tile_size;
+          EXPECT_EQ(other.paths, 37u * 23u * 21u);
+          EXPECT_EQ(other.rays.closest, first.rays.closest);
+          EXPECT_EQ(other.rays.shadow, first.rays.shadow);
+        }
+    }
+}
+
+TEST(Determinism, SeedSamplerAndMethodMakeDifferentPictures) {
+  const Scene scene = room();
+  const RenderOptions options = options_of(SamplerKind::sobol);
+  RenderOptions seed = options, sampler = options, method = options;
+  ++seed.seed;
+  sampler.sampler = SamplerKind::independent;
+  method.shade.method = &direct_methods()[1];
+  const RenderResult first = render_all(scene, options);
+  for (const RenderOptions& other : {seed, sampler, method})
+    EXPECT_GT(differing_pixels(first.film, render_all(scene, other).film), 37 * 23 / 2);
+}
+
+TEST(Determinism, TraceSampleIsWhatRenderAdds) {
+  const Scene scene = room();
+  for (const SamplerKind sampler : kSamplers) {
+    RenderOptions options = options_of(sampler);
+    options.threads = 2;
+    const RenderResult result = render_all(scene, options);
+    const Camera camera(scene.camera(), options.width, options.height);
+    Visibility visibility(scene);
+    for (int y = 0; y < options.height; ++y)
+      for (int x = 0; x < options.width; ++x) {
+        Film::Pixel pixel;
+        for (std::uint64_t i = 0; i < options.spp; ++i)
+          pixel.add(trace_sample(scene, camera, options, x, y, i, visibility));
+        EXPECT_TRUE(same_pixel(pixel, result.film.at(x, y))) << x << ", " << y;
+      }
+    EXPECT_EQ(visibility.counts().closest, result.rays.closest);
+    EXPECT_EQ(visibility.counts().shadow, result.rays.shadow);
+  }
+}
+
+// Samples are numbered, so that a longer render only adds to a shorter one.
+TEST(Determinism, FewerSamplesAreTheFirstOnesOfMore) {
+  const Scene scene = room();
+  RenderOptions options = options_of(SamplerKind::sobol);
+  options.spp = 5;
+  const RenderResult result = render_all(scene, options);
+  options.spp = 50;
+  const Camera camera(scene.camera(), options.width, options.height);
+  Visibility visibility(scene);
+  Film::Pixel pixel;
+  for (std::uint64_t i = 0; i < 5; ++i)
+    pixel.add(trace_sample(scene, camera, options, 11, 13, i, visibility));
+  EXPECT_TRUE(same_pixel(pixel, result.film.at(11, 13)));
+}
+
+TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
+  const Scene scene = room();
+  RenderOptions options = options_of(SamplerKind::sobol);
+  options.spp = 40;  // passes end at 16, 32 and 40
+  options.tile_size = 8;
+  const RenderResult whole = render_all(scene, options);
+  const Camera camera(scene.camera(), options.width, options.height);
+  Visibility visibility(scene);
+  for (const int threads : {1, 3}) {
+    options.threads = threads;
+    std::atomic<bool> stop = false;
+    const RenderResult part =
+        render(scene, options, stop, [&](std::uint64_t done, std::uint64_t total) {
+          EXPECT_EQ(total, whole.paths);
+          if (done > total / 2) stop = true;
+        });
+    EXPECT_FALSE(part.complete);
+    EXPECT_LT(part.paths, whole.paths);
+    EXPECT_GT(part.paths, whole.paths / 2);
+    std::uint64_t paths = 0;
+    for (int y = 0; y < options.height; ++y)
+      for (int x = 0; x < options.width; ++x) {
+        const Film::Pixel& pixel = part.film.at(x, y);
+        EXPECT_TRUE(pixel.samples == 0 || pixel.samples == 16 || pixel.samples == 32 ||
+                    pixel.samples == 40);
+        Film::Pixel same;
+        for (std::uint64_t i = 0; i < pixel.samples; ++i)
+          same.add(trace_sample(scene, camera, options, x, y, i, visibility));
+        EXPECT_TRUE(same_pixel(same, pixel));
+        paths += pixel.samples;
+      }
+    EXPECT_EQ(paths, part.paths);
+  }
+}
+
+TEST(Determinism, ARenderStoppedBeforeItStartsIsEmpty) {
+  const Scene scene = room();
+  const std::atomic<bool> stop = true;
+  const RenderResult result = render(scene, options_of(SamplerKind::sobol), stop, {});
+  EXPECT_FALSE(result.complete);
+  EXPECT_EQ(result.paths, 0u);
+  EXPECT_EQ(result.film.mean(), DVec3(0.0));
+}
+
+TEST(Progress, NeverFallsBackAndEndsAtTheTotal) {
+  const Scene scene = room();
+  RenderOptions options = options_of(SamplerKind::sobol);
+  std::uint64_t last = 0;
+  const std::atomic<bool> stop = false;
+  render(scene, options, stop, [&](std::uint64_t done, std::uint64_t total) {
+    EXPECT_EQ(total, 37u * 23u * 21u);
+    EXPECT_GT(done, last);
+    last = done;
+  });
+  EXPECT_EQ(last, 37u * 23u * 21u);
+}
+
+}  // namespace
+}  // namespace raytracing
