@@ -128,8 +128,8 @@ TEST(DirectLight, QuadratureAgreesWithLambert) {
     }
 }
 
-// The viewer stands at 53 degrees; mirror reflection leaves along (-0.48, 0.36, 0.8). The lights lie
-// in the lobe, across its edge, and beside it.
+// The viewer stands at 37 degrees from the normal; mirror reflection leaves along
+// (-0.48, 0.36, 0.8). The lights lie in the lobe, across its edge, and beside it.
 std::vector<DirectCase> glossy_cases() {
   const Vec3 x(0.8f, 0.0f, -0.6f), y(0.0f, 1.0f, 0.0f);
   const auto in_lobe = parallelogram({-0.5f, 0.4f, 0.8f}, {0.2f, 0, 0.1f}, {0, 0.2f, 0});

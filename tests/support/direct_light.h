@@ -62,7 +62,8 @@ class DirectScene {
     const double r = length(d);
     const DVec3 n(normalize(area_vector(light_)));
     const Vec3 wi = vertex_.shading.to_local(Vec3(d / r));
-    return double{eval_cos(*vertex_.material, vertex_.wo, wi).x} * std::abs(dot(n, d)) / (r * r * r);
+    const double f_cos = eval_cos(*vertex_.material, vertex_.wo, wi).x;
+    return f_cos * std::abs(dot(n, d)) / (r * r * r);
   }
 
   /// Sample number `sample` of the pixel x: the direct light at the vertex towards the viewer,

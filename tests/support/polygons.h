@@ -52,8 +52,8 @@ inline LPolygon intersection(LPolygon polygon, const LPolygon& window) {
   return polygon;
 }
 
-/// The shadow that `polygon` throws, with the light at `from`, on the plane of `screen`. It must lie
-/// between the two.
+/// The shadow that `polygon` throws, with the light at `from`, on the plane of `screen`. It must
+/// lie between the two.
 inline LPolygon shadow(const LPolygon& polygon, const LVec3& from, const LPolygon& screen) {
   const LVec3 n = area_vector(screen);
   LPolygon projected;
