@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 #include "raytracing/integrator/shade.h"
+#include "support/p_values.h"
 #include "support/scenes.h"
 
 namespace raytracing {
@@ -71,25 +75,41 @@ TEST(LightSide, BackOfALightReflectsOtherLights) {
   }
 }
 
-// With several lights, each adds its own: the choice of a light is divided out.
+/// A receiver under two lights of unequal size and radiance; each bit of `set` stands for one.
+Scene under_two_lights(const Material& receiver, int set) {
+  SceneMaker maker;
+  maker.add_polygon(parallelogram(Vec3(0.0f), 0.01f * kX, 0.01f * kY), maker.add_surface(receiver));
+  const auto dim = maker.add_surface(Diffuse{Rgb(0.0f)}, kEmitted);
+  const auto bright = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(9.0f));
+  if (set & 1) maker.add_polygon(parallelogram({-0.4f, 0, 0.6f}, 0.5f * kY, 0.3f * kX), dim);
+  if (set & 2) maker.add_polygon(parallelogram({0.4f, 0, 0.8f}, 0.2f * kY, 0.3f * kX), bright);
+  return maker.build();
+}
+
+// The choice of a light is divided out, and the weights of light and BSDF sampling know of it.
 TEST(LightSide, TwoLightsAddUp) {
-  const Vec3 left(-1, 0, 1), right(1.2f, 0.3f, 1);
-  const Ray ray{Vec3(0.02f, 0.01f, 0.5f), -kZ};
-  for (const DirectMethod& method : direct_methods()) {
-    Rgb sum(0.0f), both(0.0f);
-    for (const int lights : {1, 2, 3}) {  // a set of bits: left, right
-      SceneMaker maker;
-      maker.add_polygon(parallelogram(Vec3(0.0f), 4.0f * kX, 4.0f * kY),
-                        maker.add_surface(Diffuse{Rgb(0.8f)}));
-      const auto dim = maker.add_surface(Diffuse{Rgb(0.0f)}, kEmitted);
-      const auto bright = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(9.0f, 1.0f, 4.0f));
-      if (lights & 1) maker.add_polygon(parallelogram(left, 0.3f * kY, 0.2f * kX), dim);
-      if (lights & 2) maker.add_polygon(parallelogram(right, 0.2f * kY, 0.2f * kX), bright);
-      const Rgb one = sum_of_samples(maker.build(), method, ray, 1);
-      (lights == 3 ? both : sum) += one;
+  const Vec3 wo(0.48f, -0.36f, 0.8f);
+  const Ray ray{0.1f * wo, -wo};
+  PValues p_values;
+  for (const Material& material : kReceivers)
+    for (const DirectMethod& method : direct_methods()) {
+      RunningStats stats[4];
+      for (const int set : {1, 2, 3}) {
+        const Scene scene = under_two_lights(material, set);
+        Visibility visibility(scene);
+        for (int i = 0; i < 100'000; ++i) {
+          PathSampler sampler(SamplerKind::independent, set, 0, 0, i);
+          stats[set].add(shade(scene, {&method, 1}, ray, sampler, visibility).x);
+        }
+      }
+      const double error = std::hypot(stats[1].standard_error(), stats[2].standard_error(),
+                                      stats[3].standard_error());
+      EXPECT_LT(error, 0.01 * stats[3].mean());
+      p_values.add(
+          std::string(method.name),
+          normal_p_value((stats[3].mean() - stats[1].mean() - stats[2].mean()) / error));
     }
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(both[c] / sum[c], 1, 0.15) << method.name;
-  }
+  p_values.expect_all();
 }
 
 }  // namespace

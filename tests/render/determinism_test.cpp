@@ -86,6 +86,35 @@ TEST(Determinism, SeedSamplerAndMethodMakeDifferentPictures) {
     EXPECT_GT(differing_pixels(first.film, render_all(scene, other).film), 37 * 23 / 2);
 }
 
+// The place within the pixel, told by where the camera ray meets a plane, never repeats.
+TEST(Determinism, EachSampleOfEachPixelHasItsOwnNumbers) {
+  SceneMaker maker;
+  maker.add_polygon(parallelogram(Vec3(0.0f), {4, 0, 0}, {0, 4, 0}), maker.add_surface(Diffuse{}));
+  maker.description.camera = {Vec3(0, 0, 1), Vec3(0.0f), Vec3(0, 1, 0), 90};
+  const Scene scene = maker.build();
+  for (const SamplerKind sampler : kSamplers) {
+    RenderOptions options = options_of(sampler);
+    options.width = options.height = 8;
+    const Camera camera(scene.camera(), 8, 8);
+    Visibility visibility(scene);
+    std::vector<Vec2> places;
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x)
+        for (std::uint64_t i = 0; i < 4; ++i) {
+          PathLog log;
+          trace_sample(scene, camera, options, x, y, i, visibility, &log);
+          ASSERT_FALSE(log.steps.empty());
+          const Vec3 p = log.steps[0].position;
+          const Vec2 place(4 * (p.x + 1) - static_cast<float>(x),
+                           4 * (1 - p.y) - static_cast<float>(y));
+          EXPECT_TRUE(place.x > -1e-4f && place.x < 1.0001f && place.y > -1e-4f &&
+                      place.y < 1.0001f);
+          for (const Vec2& other : places) EXPECT_GT(length(place - other), 1e-5f);
+          places.push_back(place);
+        }
+  }
+}
+
 TEST(Determinism, TraceSampleIsWhatRenderAdds) {
   const Scene scene = room();
   for (const SamplerKind sampler : kSamplers) {
