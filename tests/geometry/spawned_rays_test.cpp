@@ -1,9 +1,11 @@
-// A ray that leaves a surface does not meet it again, whatever the scale and the place.
+// A ray that leaves a surface does not meet it again, whatever the scale and the place; nor does a
+// shadow ray meet the light at its end.
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "raytracing/integrator/visibility.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
 
@@ -138,6 +140,39 @@ TEST(SpawnedRays, EndBeforeTheLight) {
         }
       }
       EXPECT_EQ(blocked, 0) << name_of(scale, offset);
+    }
+}
+
+// The light is near the origin of coordinates, which tells its plane exactly; the vertex is far away
+// and sees it at a flat angle.
+TEST(SpawnedRays, EndBeforeTheLightOfAFarVertex) {
+  TestRandom random(25);
+  for (const float scale : kScales)
+    for (const float distance : {10.0f, 1e3f, 1e5f}) {
+      int met = 0, blocked = 0;
+      for (int shape = 0; shape < 100; ++shape) {
+        const Vec3 n = random.direction();
+        const Frame frame = Frame::around(n);
+        const float flat = random.between(1e-3f, 0.1f);
+        const Vec3 far = scale * distance * (frame.x + flat * n);
+        SceneMaker maker;
+        maker.add_polygon(parallelogram(Vec3(0.0f), scale * frame.x, scale * frame.y),
+                          maker.add_surface(Diffuse{}, Rgb(1.0f)));
+        maker.add_polygon(parallelogram(far, scale * frame.y, scale * n),
+                          maker.add_surface(Diffuse{}));
+        const Scene scene = maker.build();
+        Visibility visibility(scene);
+        for (int i = 0; i < 50; ++i) {
+          const Vec3 target = far + scale * (random.unit() * frame.y + random.unit() * n);
+          const auto v = meet(scene, target - 2 * scale * frame.x + scale * n, target);
+          if (!v) continue;
+          ++met;
+          const AreaLight& light = scene.lights()[0];
+          blocked += visibility.occluded(*v, sample_area(light, random.unit2()), light) ? 1 : 0;
+        }
+      }
+      EXPECT_GT(met, 2500) << name_of(scale, distance);
+      EXPECT_EQ(blocked, 0) << name_of(scale, distance);
     }
 }
 
