@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "direct_methods.h"
 
 namespace raytracing {
@@ -5,7 +7,8 @@ namespace {
 
 // Le f cos / pdf_w for one point q of the light, with the MIS weight.
 Rgb estimate_from(const DirectQuery& query, Visibility& visibility, const Vec3& q, float pdf_w) {
-  if (!(pdf_w > 0)) return Rgb(0.0f);
+  // The density is infinite for a vertex in the light's own plane, to which it sends nothing.
+  if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
   const Vec3 wi = normalize(q - query.vertex.position);
   const Rgb f_cos = reflected(query.vertex, wi);
   if (is_black(f_cos) || visibility.occluded(query.vertex, q, query.light)) return Rgb(0.0f);

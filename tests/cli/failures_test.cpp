@@ -47,6 +47,26 @@ TEST(BadInput, ABrokenSceneIsToldWithItsPlace) {
             (Names{"broken.obj", "key.toml", "missing.toml", "model.toml", "syntax.toml"}));
 }
 
+// Radiance near the largest float: its sum with what it lights overflows.
+TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
+  const CliFolder folder;
+  folder.folder.write("s.toml",
+                      "[film]\nwidth = 4\nheight = 4\n[camera]\norigin = [0,0,2]\n"
+                      "target = [0,0,0]\n[materials.sun]\ntype = 'diffuse'\nreflectance = 1\n"
+                      "emission = 3e38\n[[models]]\nobj = 'm.obj'\nmaterial = 'sun'\n");
+  folder.folder.write("m.obj",
+                      "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
+                      "v -1 1 1\nf 1 2 3 4\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
+  const std::vector<std::string> lax = {"s.toml", "--spp", "4", "--stats", "s.json"};
+  const RunResult run = folder.run(lax);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("--replay "), std::string::npos) << run.err;
+  EXPECT_GT(folder.json("s.json")["non_finite_samples"], 0);
+  std::vector<std::string> strict = lax;
+  strict.push_back("--strict");
+  EXPECT_EQ(folder.run(strict).exit_code, 1);
+}
+
 TEST(BadInput, StrictRefusesWhatWasRepaired) {
   const CliFolder folder;
   folder.folder.write("s.toml",

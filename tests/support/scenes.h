@@ -1,6 +1,7 @@
 #pragma once
 // Builders of small scenes.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
