@@ -15,8 +15,8 @@ constexpr std::array kMethods{
     DirectMethod{"solid-angle", "one point of the light, uniform in the solid angle it fills",
                  "1 shadow ray", true, estimate_solid_angle, solid_angle_pdf_w},
     DirectMethod{"line-ratio",
-                 "one chord of the light, one random point on it, times the fraction of --line-rays "
-                 "rays to the chord that arrive",
+                 "one chord of the light, one random point on it, times the fraction of "
+                 "--line-rays rays to the chord that arrive",
                  "--line-rays shadow rays", false, estimate_line_ratio, nullptr},
 };
 

@@ -11,9 +11,8 @@ Rgb estimate_solid_angle(const DirectQuery& query, Visibility& visibility);
 
 Rgb estimate_line_ratio(const DirectQuery& query, Visibility& visibility);
 
-/// f(wo,wi) |cos wi| of the vertex for light from the point `q`; black below either horizon.
-/// `mis_weight` takes the local direction wi to the balance weight of the light sample.
-Rgb reflected(const Vertex& vertex, const Vec3& direction);
+/// f(wo,wi) |cos wi| of the vertex for the direction wi (world, unit); black below either horizon.
+Rgb reflected(const Vertex& vertex, const Vec3& wi);
 
 /// The weight of a light sample in the direction `wi` (world, unit) with density `pdf_w`, against
 /// BSDF sampling of the same light (balance heuristic); 1 where the material does without.
