@@ -167,6 +167,11 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
   return result;
 }
 
+// One body for the picture and for --replay: copies made for the one or the other could round
+// differently.
+#if defined(__GNUC__) && !defined(__clang__)
+[[gnu::noipa]]
+#endif
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
                  int y, std::uint64_t sample, Visibility& visibility, PathLog* log) {
   PathSampler sampler(options.sampler, options.seed, static_cast<std::uint32_t>(x),

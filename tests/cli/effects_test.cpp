@@ -65,9 +65,9 @@ TEST(Effects, SeedSamplerAndMethodChangeThePicture) {
   EXPECT_NE(base, pixels({"--sampler", "independent"}));
   EXPECT_EQ(base, pixels({"--sampler", "sobol"}));
   EXPECT_NE(base, pixels({"--spp", "3"}));
-  EXPECT_EQ(base, pixels({"--light-sampling", "solid-angle"}));
+  EXPECT_EQ(base, pixels({"--light-sampling", "point"}));
   for (const DirectMethod& method : direct_methods()) {
-    if (method.name == "solid-angle") continue;
+    if (method.name == "point") continue;
     EXPECT_NE(base, pixels({"--light-sampling", std::string(method.name)})) << method.name;
   }
 }

@@ -48,7 +48,7 @@ TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
       "non_finite_samples", "mean_rgb"};
   for (const std::string& key : contract) EXPECT_TRUE(s.contains(key)) << key;
   EXPECT_EQ(s["scene"], kCornell);
-  EXPECT_EQ(s["light_sampling"], "solid-angle");
+  EXPECT_EQ(s["light_sampling"], "point");
   EXPECT_EQ(s["sampler"], "sobol");
   EXPECT_EQ(s["spp"], 2);
   EXPECT_EQ(s["width"], 40);
