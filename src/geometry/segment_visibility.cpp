@@ -1,0 +1,201 @@
+#include "raytracing/geometry/segment_visibility.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <experimental/simd>
+
+#include "segment_tree_builder.h"
+#include "sphere_shadow.h"
+
+namespace raytracing {
+namespace {
+
+namespace simd = std::experimental;
+constexpr int kLanes = 8;
+using Lanes = simd::simd<float, simd::simd_abi::deduce_t<float, kLanes>>;
+using Mask = Lanes::mask_type;
+constexpr std::uint32_t kLeafFlag = 0x80000000u;
+
+Lanes load(const float (&values)[kLanes]) { return Lanes(values, simd::vector_aligned); }
+
+unsigned to_bits(const Mask& mask) {
+  unsigned bits = 0;
+  for (int i = 0; i < kLanes; ++i) bits |= static_cast<unsigned>(mask[i]) << i;
+  return bits;
+}
+
+// n . x for eight points.
+Lanes dot(const Vec3& n, const Lanes& x, const Lanes& y, const Lanes& z) {
+  return n.x * x + (n.y * y + n.z * z);
+}
+
+// A point of the query's plane, in its two coordinates.
+struct PlanePoint {
+  float alpha, beta;
+  float depth() const { return alpha + beta; }  // 0 at p, 1 on the segment
+};
+
+PlanePoint mix(const PlanePoint& a, const PlanePoint& b, float s) {
+  return {a.alpha + s * (b.alpha - a.alpha), a.beta + s * (b.beta - a.beta)};
+}
+
+// A corner of a triangle: its place along the plane and its signed distance from it.
+struct Corner {
+  PlanePoint at;
+  float e;
+};
+
+// Where the edge between corners on either side meets the plane. Always from the side e >= 0 to the
+// other: the two triangles that share an edge get the same point, and nothing shines through.
+PlanePoint crossing(const Corner& a, const Corner& b) {
+  const Corner& above = a.e >= 0 ? a : b;
+  const Corner& below = a.e >= 0 ? b : a;
+  return mix(above.at, below.at, above.e / (above.e - below.e));
+}
+
+// The interval of t that the plane segment from c to d hides; empty (end <= begin) if none.
+Interval hidden(PlanePoint c, PlanePoint d) {
+  constexpr Interval kNothing{0, 0};
+  if ((c.alpha < 0 && d.alpha < 0) || (c.beta < 0 && d.beta < 0)) return kNothing;
+  if (c.alpha < 0) c = {0, mix(c, d, c.alpha / (c.alpha - d.alpha)).beta};
+  if (d.alpha < 0) d = {0, mix(d, c, d.alpha / (d.alpha - c.alpha)).beta};
+  if (c.beta < 0 && d.beta < 0) return kNothing;
+  if (c.beta < 0) c = {mix(c, d, c.beta / (c.beta - d.beta)).alpha, 0};
+  if (d.beta < 0) d = {mix(d, c, d.beta / (d.beta - c.beta)).alpha, 0};
+  if (c.depth() >= 1 && d.depth() >= 1) return kNothing;
+  if (c.depth() > 1) c = mix(c, d, (c.depth() - 1) / (c.depth() - d.depth()));
+  if (d.depth() > 1) d = mix(d, c, (d.depth() - 1) / (d.depth() - c.depth()));
+  if (!(c.depth() > 0) || !(d.depth() > 0)) return kNothing;
+  const float tc = c.beta / c.depth(), td = d.beta / d.depth();
+  return tc < td ? Interval{tc, td} : Interval{td, tc};
+}
+
+}  // namespace
+
+// The query's plane and the linear functions of a point x that bound what can hide the segment:
+// each is n . (x - p) with the tolerance that rounding needs.
+struct SegmentVisibility::Query {
+  Query(const Vec3& from, const Vec3& a, const Vec3& b, float max_coordinate, std::uint32_t skip)
+      : p(from), skipped(skip) {
+    const Vec3 to_a = a - p, along = b - a, to_b = b - p;
+    normal = cross(to_a, along);  // not to_a x to_b: that cancels for a short far segment
+    const float n2 = glm::dot(normal, normal);
+    alpha = cross(to_b, normal) / n2;
+    beta = cross(normal, to_a) / n2;
+    rounding = 0x1p-21f * max_coordinate;
+    narrow({0, 1});
+  }
+
+  bool degenerate() const { return !(glm::dot(normal, normal) > 0); }
+
+  // Restricts the search to what hides this part of the segment.
+  void narrow(const Interval& hull) {
+    after_begin = (1 - hull.begin) * beta - hull.begin * alpha;
+    before_end = hull.end * alpha - (1 - hull.end) * beta;
+  }
+
+  Vec3 p;
+  Vec3 normal;       // n . (x-p) = e, the signed distance times |normal|
+  Vec3 alpha, beta;  // the coordinates alpha and beta
+  Vec3 after_begin;  // >= 0 for what projects behind the beginning of the hull
+  Vec3 before_end;   // >= 0 for what projects before its end
+  float rounding;
+  std::uint32_t skipped;
+};
+
+SegmentVisibility::SegmentVisibility(std::span<const Vec3> positions,
+                                     std::span<const EmbreeScene::Triangle> triangles,
+                                     std::span<const std::uint32_t> group,
+                                     std::span<const Sphere> spheres, int threads)
+    : spheres_(spheres.begin(), spheres.end()) {
+  for (const Vec3& v : positions)
+    max_coordinate_ = std::max(max_coordinate_, max_component(absolute(v)));
+  if (!triangles.empty()) TreeBuilder(*this, positions, triangles, group).build(threads);
+}
+
+IntervalSet SegmentVisibility::visible_part(const Vec3& p, const Vec3& a, const Vec3& b,
+                                            std::uint32_t skipped) const {
+  IntervalSet visible({0, 1});
+  const float coordinate = std::max(max_coordinate_, max_component(absolute(p)));
+  const Query query(p, a, b, coordinate, skipped);
+  if (query.degenerate()) return visible;
+  for (const Sphere& sphere : spheres_) subtract_sphere(sphere, p, a, b, visible);
+  if (!nodes_.empty() && !visible.empty()) walk(query, visible);
+  return visible;
+}
+
+void SegmentVisibility::walk(const Query& start, IntervalSet& visible) const {
+  Query query = start;
+  query.narrow(visible.hull());
+  std::uint32_t stack[kWidth * 64];  // Embree's builder stops at depth 32, then splits evenly
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t item = stack[--size];
+    if (item & kLeafFlag) {
+      const Interval before = visible.hull();
+      subtract_block(blocks_[item & ~kLeafFlag], query, visible);
+      if (visible.empty()) return;
+      const Interval after = visible.hull();
+      if (after.begin != before.begin || after.end != before.end) query.narrow(after);
+      continue;
+    }
+    const Node& node = nodes_[item];
+    for (unsigned met = children_met(node, query); met != 0; met &= met - 1)
+      stack[size++] = node.children[std::countr_zero(met)];
+  }
+}
+
+unsigned SegmentVisibility::children_met(const Node& node, const Query& query) {
+  const auto& bounds = node.bounds;
+  // The extremes of n . (x - p) over each box are at corners that the signs of n choose.
+  const auto extreme = [&](const Vec3& n, bool upper) {
+    const int x = (n.x > 0) == upper, y = (n.y > 0) == upper, z = (n.z > 0) == upper;
+    return dot(n, load(bounds[x][0]) - query.p.x, load(bounds[y][1]) - query.p.y,
+               load(bounds[z][2]) - query.p.z);
+  };
+  const auto tolerance = [&](const Vec3& n) {
+    const Vec3 size = absolute(n);
+    return query.rounding * (size.x + size.y + size.z);
+  };
+  const Vec3 depth = query.alpha + query.beta;
+  Mask met = extreme(query.normal, true) >= -tolerance(query.normal);
+  met = met && extreme(query.normal, false) <= tolerance(query.normal);
+  met = met && extreme(query.after_begin, true) >= -tolerance(query.after_begin);
+  met = met && extreme(query.before_end, true) >= -tolerance(query.before_end);
+  met = met && extreme(depth, false) <= 1 + tolerance(depth);
+  return to_bits(met) & ((1u << node.count) - 1);
+}
+
+void SegmentVisibility::subtract_block(const Block& block, const Query& query,
+                                       IntervalSet& visible) {
+  Lanes alpha[3], beta[3], e[3];
+  for (int corner = 0; corner < 3; ++corner) {
+    const Lanes x = load(block.corners[corner][0]) - query.p.x;
+    const Lanes y = load(block.corners[corner][1]) - query.p.y;
+    const Lanes z = load(block.corners[corner][2]) - query.p.z;
+    alpha[corner] = dot(query.alpha, x, y, z);
+    beta[corner] = dot(query.beta, x, y, z);
+    e[corner] = dot(query.normal, x, y, z);
+  }
+  const Mask above[3] = {e[0] >= 0, e[1] >= 0, e[2] >= 0};
+  const Mask crosses = (above[0] || above[1] || above[2]) && !(above[0] && above[1] && above[2]);
+  const Mask inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
+                      (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
+                      (alpha[0] + beta[0] < 1 || alpha[1] + beta[1] < 1 || alpha[2] + beta[2] < 1);
+  for (unsigned bits = to_bits(crosses && inside); bits != 0; bits &= bits - 1) {
+    const int i = std::countr_zero(bits);
+    if (query.skipped != kNone && block.group[i] == query.skipped) continue;
+    Corner c[3];
+    for (int k = 0; k < 3; ++k) c[k] = {{alpha[k][i], beta[k][i]}, e[k][i]};
+    // The corner that is alone on its side.
+    const int lone = (c[0].e >= 0) == (c[1].e >= 0) ? 2 : (c[0].e >= 0) == (c[2].e >= 0) ? 1 : 0;
+    const Interval gap = hidden(crossing(c[lone], c[(lone + 1) % 3]),
+                                crossing(c[lone], c[(lone + 2) % 3]));
+    visible.subtract(gap.begin, gap.end);
+    if (visible.empty()) return;
+  }
+}
+
+}  // namespace raytracing

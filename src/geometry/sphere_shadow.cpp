@@ -1,0 +1,61 @@
+#include "sphere_shadow.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace raytracing {
+namespace {
+
+// Parameters in (0,1) at which what is hidden of a segment may begin or end, between 0 and 1.
+struct Candidates {
+  std::array<float, 6> values{0};
+  std::size_t size = 1;
+
+  void add(double t) {
+    if (t > 0 && t < 1) values[size++] = static_cast<float>(t);
+  }
+};
+
+// Roots of q2 t^2 + 2 q1 t + q0.
+void add_roots(double q2, double q1, double q0, Candidates& candidates) {
+  const double discriminant = q1 * q1 - q2 * q0;
+  if (!(discriminant >= 0)) return;
+  const double q = -(q1 + std::copysign(std::sqrt(discriminant), q1));
+  if (q2 != 0) candidates.add(q / q2);
+  if (q != 0) candidates.add(q0 / q);
+}
+
+bool hides(const Sphere& sphere, const Vec3& p, const Vec3& q) {
+  const auto crossings = intersect_line(sphere, {p, q - p});
+  if (!crossings) return false;
+  const auto [near, far] = *crossings;
+  return (near > 0 && near < 1) || (far > 0 && far < 1);
+}
+
+}  // namespace
+
+void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const Vec3& b,
+                     IntervalSet& visible) {
+  // With m = p - centre and the direction w(t) = a - p + t d, the line from p grazes the sphere
+  // where (m.w)^2 = w.w (m.m - r^2); the segment itself crosses it where |m + w|^2 = r^2.
+  const DVec3 m = DVec3(p) - DVec3(sphere.center);
+  const DVec3 w = DVec3(a) - DVec3(p), d = DVec3(b) - DVec3(a);
+  const double r2 = static_cast<double>(sphere.radius) * sphere.radius;
+  const double outside = dot(m, m) - r2;
+  const double mw = dot(m, w), md = dot(m, d);
+  Candidates candidates;
+  add_roots(md * md - dot(d, d) * outside, mw * md - dot(w, d) * outside,
+            mw * mw - dot(w, w) * outside, candidates);
+  const DVec3 c = m + w;
+  add_roots(dot(d, d), dot(c, d), dot(c, c) - r2, candidates);
+  candidates.values[candidates.size++] = 1;
+  const auto t = candidates.values.begin();
+  std::sort(t, t + static_cast<std::ptrdiff_t>(candidates.size));
+  for (std::size_t i = 0; i + 1 < candidates.size; ++i) {
+    const float middle = 0.5f * (t[i] + t[i + 1]);
+    if (hides(sphere, p, a + middle * (b - a))) visible.subtract(t[i], t[i + 1]);
+  }
+}
+
+}  // namespace raytracing
