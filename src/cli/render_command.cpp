@@ -101,10 +101,10 @@ void print_result(const RenderRecord& r, bool quiet) {
   if (!r.result.complete) fmt::print(stderr, "stopped early: the picture is incomplete\n");
 }
 
-int render_and_write(const RenderArguments& a, const SceneFile& file, const Scene& scene,
-                     const std::string& command_line, double load_seconds, double build_seconds,
-                     const StopOnSignal& signals, Outputs& outputs) {
-  const RenderOptions options = render_options(a, file);
+int render_and_write(const RenderArguments& a, const RenderOptions& options,
+                     const SceneFile& file, const Scene& scene, const std::string& command_line,
+                     double load_seconds, double build_seconds, const StopOnSignal& signals,
+                     Outputs& outputs) {
   ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
   const RenderResult result =
       render(scene, options, signals.stop(),
@@ -137,18 +137,19 @@ int render_command(const Arguments& arguments) {
   print_load_report(report, file, a.quiet, a.strict);
 
   const StopOnSignal signals;  // before there are temporary files to leave behind
+  const RenderOptions options = render_options(a, file);
   std::optional<Outputs> outputs;
   if (!a.replay) outputs.emplace(a);
   const Stopwatch build_time;
-  const Scene scene(std::move(file.scene), a.threads);
+  const Scene scene(std::move(file.scene), a.threads, options.shade.method->asks_segments);
   const double build_seconds = build_time.seconds();
   print_scene_notes(scene, a.quiet, a.strict);
   if (a.replay) {
-    fmt::print("{}", replay_text(scene, render_options(a, file), *a.replay));
+    fmt::print("{}", replay_text(scene, options, *a.replay));
     return kExitGood;
   }
-  return render_and_write(a, file, scene, arguments.command_line, load_seconds, build_seconds,
-                          signals, *outputs);
+  return render_and_write(a, options, file, scene, arguments.command_line, load_seconds,
+                          build_seconds, signals, *outputs);
 }
 
 }  // namespace raytracing

@@ -76,15 +76,15 @@ Interval hidden(PlanePoint c, PlanePoint d) {
 // The query's plane and the linear functions of a point x that bound what can hide the segment:
 // each is n . (x - p) with the tolerance that rounding needs.
 struct SegmentVisibility::Query {
-  Query(const Vec3& from, const Vec3& a, const Vec3& b, float max_coordinate, std::uint32_t skip)
+  Query(const Vec3& from, const Vec3& a, const Vec3& along, float max_coordinate,
+        std::uint32_t skip)
       : p(from), skipped(skip) {
-    const Vec3 to_a = a - p, along = b - a, to_b = b - p;
+    const Vec3 to_a = a - p, to_b = to_a + along;
     normal = cross(to_a, along);  // not to_a x to_b: that cancels for a short far segment
     const float n2 = glm::dot(normal, normal);
     alpha = cross(to_b, normal) / n2;
     beta = cross(normal, to_a) / n2;
     rounding = 0x1p-21f * max_coordinate;
-    narrow({0, 1});
   }
 
   bool degenerate() const { return !(glm::dot(normal, normal) > 0); }
@@ -114,19 +114,18 @@ SegmentVisibility::SegmentVisibility(std::span<const Vec3> positions,
   if (!triangles.empty()) TreeBuilder(*this, positions, triangles, group).build(threads);
 }
 
-IntervalSet SegmentVisibility::visible_part(const Vec3& p, const Vec3& a, const Vec3& b,
-                                            std::uint32_t skipped) const {
-  IntervalSet visible({0, 1});
+IntervalSet SegmentVisibility::visible_part(const Vec3& p, const Vec3& a, const Vec3& d,
+                                            const Interval& range, std::uint32_t skipped) const {
+  IntervalSet visible(range);
   const float coordinate = std::max(max_coordinate_, max_component(absolute(p)));
-  const Query query(p, a, b, coordinate, skipped);
-  if (query.degenerate()) return visible;
-  for (const Sphere& sphere : spheres_) subtract_sphere(sphere, p, a, b, visible);
+  Query query(p, a, d, coordinate, skipped);
+  if (visible.empty() || query.degenerate()) return visible;
+  for (const Sphere& sphere : spheres_) subtract_sphere(sphere, p, a, d, visible);
   if (!nodes_.empty() && !visible.empty()) walk(query, visible);
   return visible;
 }
 
-void SegmentVisibility::walk(const Query& start, IntervalSet& visible) const {
-  Query query = start;
+void SegmentVisibility::walk(Query& query, IntervalSet& visible) const {
   query.narrow(visible.hull());
   std::uint32_t stack[kWidth * 64];  // Embree's builder stops at depth 32, then splits evenly
   int size = 0;

@@ -35,26 +35,26 @@ bool hides(const Sphere& sphere, const Vec3& p, const Vec3& q) {
 
 }  // namespace
 
-void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const Vec3& b,
+void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const Vec3& d,
                      IntervalSet& visible) {
   // With m = p - centre and the direction w(t) = a - p + t d, the line from p grazes the sphere
   // where (m.w)^2 = w.w (m.m - r^2); the segment itself crosses it where |m + w|^2 = r^2.
   const DVec3 m = DVec3(p) - DVec3(sphere.center);
-  const DVec3 w = DVec3(a) - DVec3(p), d = DVec3(b) - DVec3(a);
+  const DVec3 w = DVec3(a) - DVec3(p), along = DVec3(d);
   const double r2 = static_cast<double>(sphere.radius) * sphere.radius;
   const double outside = dot(m, m) - r2;
-  const double mw = dot(m, w), md = dot(m, d);
+  const double mw = dot(m, w), md = dot(m, along);
   Candidates candidates;
-  add_roots(md * md - dot(d, d) * outside, mw * md - dot(w, d) * outside,
+  add_roots(md * md - dot(along, along) * outside, mw * md - dot(w, along) * outside,
             mw * mw - dot(w, w) * outside, candidates);
   const DVec3 c = m + w;
-  add_roots(dot(d, d), dot(c, d), dot(c, c) - r2, candidates);
+  add_roots(dot(along, along), dot(c, along), dot(c, c) - r2, candidates);
   candidates.values[candidates.size++] = 1;
   const auto t = candidates.values.begin();
-  std::sort(t, t + static_cast<std::ptrdiff_t>(candidates.size));
+  std::sort(t, t + static_cast<std::ptrdiff_t>(std::min(candidates.size, candidates.values.size())));
   for (std::size_t i = 0; i + 1 < candidates.size; ++i) {
     const float middle = 0.5f * (t[i] + t[i + 1]);
-    if (hides(sphere, p, a + middle * (b - a))) visible.subtract(t[i], t[i + 1]);
+    if (hides(sphere, p, a + middle * d)) visible.subtract(t[i], t[i + 1]);
   }
 }
 

@@ -1,8 +1,10 @@
 #include "raytracing/integrator/direct_method.h"
 
 #include <array>
+#include <cmath>
 
 #include "direct_methods.h"
+#include "raytracing/lights/chord_sample.h"
 #include "raytracing/materials/bsdf.h"
 #include "raytracing/sampling/warp.h"
 
@@ -18,6 +20,12 @@ constexpr std::array kMethods{
                  "one chord of the light, one random point on it, times the fraction of "
                  "--line-rays rays to the chord that arrive",
                  "--line-rays shadow rays", false, estimate_line_ratio, nullptr},
+    DirectMethod{"line-rays",
+                 "one chord of the light, average over --line-rays stratified points on it",
+                 "--line-rays shadow rays", true, estimate_line_rays, area_pdf_w},
+    DirectMethod{"line",
+                 "one chord of the light, its exact visible parts; in closed form where diffuse",
+                 "1 segment query", true, estimate_line, chord_pdf_w, true},
 };
 
 }  // namespace
@@ -50,6 +58,15 @@ float light_sample_weight(const DirectQuery& query, const Vec3& wi, float pdf_w)
   if (!wants_mis(*v.material)) return 1;
   const float bsdf = bsdf_pdf_w(*v.material, v.wo, v.shading.to_local(wi));
   return balance_heuristic(query.light_pmf * pdf_w, bsdf);
+}
+
+Rgb light_point(const DirectQuery& query, Visibility& visibility, const Vec3& q, float pdf_w) {
+  // The density is infinite for a vertex in the light's own plane, to which it sends nothing.
+  if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
+  const Vec3 wi = normalize(q - query.vertex.position);
+  const Rgb f_cos = reflected(query.vertex, wi);
+  if (is_black(f_cos) || visibility.occluded(query.vertex, q, query.light)) return Rgb(0.0f);
+  return query.light.Le * f_cos * (light_sample_weight(query, wi, pdf_w) / pdf_w);
 }
 
 }  // namespace raytracing

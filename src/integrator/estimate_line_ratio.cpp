@@ -22,7 +22,7 @@ Rgb unoccluded_integrand(const DirectQuery& query, const Vec3& q) {
 // fraction of the chord, estimated by other rays. The mean of a product is not the product of the
 // means: where both vary along the chord, it is biased (Billen & Dutré 2016 integrate instead).
 Rgb estimate_line_ratio(const DirectQuery& query, Visibility& visibility) {
-  const ChordSet& chords = query.light.chords;
+  const ChordSet& chords = query.light.chords[0];
   const std::optional<Chord> chord = chords.at(query.u.x * chords.extent());
   if (!chord) return Rgb(0.0f);
   const Rgb at_one_point = unoccluded_integrand(query, chord->at(query.u.y));

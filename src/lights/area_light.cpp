@@ -8,19 +8,10 @@
 #include "raytracing/geometry/triangulate.h"
 #include "raytracing/math/numeric.h"
 #include "raytracing/sampling/warp.h"
+#include "usable_solid_angle.h"
 
 namespace raytracing {
 namespace {
-
-// Below the first, rounding of the rectangle's solid angle may exceed 1e-4 of it, and uniform in
-// area is nearly uniform in solid angle anyway. Above the second (2 pi is the plane of the light
-// itself) the warp's inverse loses its digits.
-constexpr float kSmallestSolidAngle = 3e-3f;
-constexpr float kLargestSolidAngle = 6.2f;
-
-bool usable(float solid_angle) {
-  return solid_angle > kSmallestSolidAngle && solid_angle < kLargestSolidAngle;
-}
 
 Vec3 longest_edge(std::span<const Vec3> corners) {
   Vec3 best(0.0f);
@@ -68,10 +59,6 @@ std::optional<SolidAngleSample> sample_by_area(const AreaLight& light, const Vec
   return SolidAngleSample{q, area_pdf_w(light, from, q)};
 }
 
-bool faces(const AreaLight& light, const Vec3& from) {
-  return dot(from - light.corners[0], light.normal) > 0;
-}
-
 }  // namespace
 
 AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
@@ -83,7 +70,8 @@ AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
   for (const Vec3& c : corners) max_coordinate = std::max(max_coordinate, max_component(absolute(c)));
   error = position_error(max_coordinate);
   fan = DiscreteDistribution(fan_areas(corners, normal));
-  chords = ChordSet(corners, normal, longest_edge(corners));
+  const Vec3 along = longest_edge(corners);
+  chords = {ChordSet(corners, normal, along), ChordSet(corners, normal, cross(normal, along))};
 
   is_parallelogram =
       corners.size() == 4 && same_point(corners[0] + corners[2], corners[1] + corners[3], error);
@@ -91,6 +79,8 @@ AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
   if (is_parallelogram && std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
     rectangle = Rectangle{corners[0], normalize(x), normalize(y), length(x), length(y)};
 }
+
+bool AreaLight::faces(const Vec3& from) const { return dot(from - corners[0], normal) > 0; }
 
 float AreaLight::power() const { return kPi * area * (Le.x + Le.y + Le.z) / 3; }
 
@@ -113,14 +103,14 @@ float area_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q) {
 
 std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const Vec3& from,
                                                    const Vec2& u) {
-  if (!faces(light, from)) return std::nullopt;
+  if (!light.faces(from)) return std::nullopt;
   if (light.rectangle) {
     const SphericalRectangle seen(*light.rectangle, from);
-    if (!usable(seen.solid_angle())) return sample_by_area(light, from, u);
+    if (!is_usable(seen.solid_angle())) return sample_by_area(light, from, u);
     return SolidAngleSample{seen.sample(u), 1 / seen.solid_angle()};
   }
   const FanSolidAngles seen(light, from);
-  if (!usable(seen.sum)) return sample_by_area(light, from, u);
+  if (!is_usable(seen.sum)) return sample_by_area(light, from, u);
   const auto choice = DiscreteDistribution(seen.each).sample(u.x);
   const SphericalTriangle triangle(fan_triangle(light, choice.index), from);
   const std::optional<Vec3> q = triangle.sample({choice.u, u.y});
@@ -129,11 +119,11 @@ std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const
 }
 
 float solid_angle_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q) {
-  if (!faces(light, from)) return 0;
+  if (!light.faces(from)) return 0;
   const float solid_angle = light.rectangle
                                 ? SphericalRectangle(*light.rectangle, from).solid_angle()
                                 : FanSolidAngles(light, from).sum;
-  return usable(solid_angle) ? 1 / solid_angle : area_pdf_w(light, from, q);
+  return is_usable(solid_angle) ? 1 / solid_angle : area_pdf_w(light, from, q);
 }
 
 }  // namespace raytracing

@@ -63,19 +63,31 @@ SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& f
   if (solid_angle_ < 0) solid_angle_ += 2 * kPi;
 }
 
-Vec3 SphericalRectangle::sample(const Vec2& u) const {
-  const float turn = u.x * solid_angle_;
+float SphericalRectangle::sample_x(float u) const {
+  const float turn = u * solid_angle_;
   const Vec2 au = complex_product(k_, {std::cos(turn), std::sin(turn)});
   const float fu = (au.x * b0_ - b1_) / au.y;
   const float cu2 = 1 / (fu * fu + b0_ * b0_);
   const float cu = std::copysign(std::sqrt(std::min(cu2, 1.0f)), fu);
-  const float xu = std::clamp(-(cu * z0_) / safe_sqrt(1 - cu2), x0_, x1_);
-  const float d2 = xu * xu + z0_ * z0_;
+  return std::clamp(-(cu * z0_) / safe_sqrt(1 - cu2), x0_, x1_);
+}
+
+Vec3 SphericalRectangle::sample(const Vec2& u) const {
+  const float x = sample_x(u.x);
+  const float d2 = x * x + z0_ * z0_;
   const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
   const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
-  const float hv = h0 + u.y * (h1 - h0);
-  const float yv = std::clamp(hv * std::sqrt(d2) / safe_sqrt((1 - hv) * (1 + hv)), y0_, y1_);
-  return from_ + xu * x_ + yv * y_ + z0_ * z_;
+  const float h = h0 + u.y * (h1 - h0);
+  const float y = std::clamp(h * std::sqrt(d2) / safe_sqrt((1 - h) * (1 + h)), y0_, y1_);
+  return from_ + x * x_ + y * y_ + z0_ * z_;
+}
+
+SphericalRectangle::Strip SphericalRectangle::strip(float u) const {
+  const float x = sample_x(u);
+  const float d2 = x * x + z0_ * z0_;
+  const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
+  const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
+  return {x - x0_, -z0_ * (h1 - h0) / (d2 * solid_angle_), y0_, d2};
 }
 
 SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const Vec3& from)

@@ -7,10 +7,10 @@
 
 namespace raytracing {
 
-Scene::Scene(SceneDescription description, int threads)
-    : Scene(Builder(std::move(description)), threads) {}
+Scene::Scene(SceneDescription description, int threads, bool with_segments)
+    : Scene(Builder(std::move(description)), threads, with_segments) {}
 
-Scene::Scene(Builder&& b, int threads)
+Scene::Scene(Builder&& b, int threads, bool with_segments)
     : materials_(std::move(b.materials)),
       sphere_materials_(std::move(b.sphere_materials)),
       triangles_(std::move(b.records)),
@@ -22,6 +22,11 @@ Scene::Scene(Builder&& b, int threads)
   std::vector<float> powers;
   for (const AreaLight& light : lights_) powers.push_back(light.power());
   light_choice_ = DiscreteDistribution(powers);
+  if (!with_segments) return;
+  std::vector<std::uint32_t> light_of_triangle;
+  for (const TriangleRecord& t : triangles_) light_of_triangle.push_back(t.light);
+  segments_ = SegmentVisibility(geometry_.positions(), geometry_.triangles(), light_of_triangle,
+                                geometry_.spheres(), threads);
 }
 
 Vertex Scene::vertex(const Ray& ray, const Hit& hit) const {

@@ -15,7 +15,7 @@ namespace raytracing {
 /// Exact visibility of a segment from a point: an 8-wide BVH over triangles, built by Embree's
 /// public builder and walked here, and a list of spheres. Immutable; queries are thread-safe.
 ///
-/// A triangle (p, a, b) spans the query. In its plane a point is p + alpha (a-p) + beta (b-p);
+/// The triangle (p, a, b = a + d) spans the query. In its plane a point is p + alpha (a-p) + beta (b-p);
 /// what lies at alpha, beta >= 0 and alpha + beta < 1 hides the point t = beta / (alpha + beta) of
 /// the segment. Triangles cut that plane in segments, so that each hides one interval of t.
 class SegmentVisibility {
@@ -27,9 +27,10 @@ class SegmentVisibility {
                     std::span<const std::uint32_t> group, std::span<const Sphere> spheres,
                     int threads);
 
-  /// The part of the segment from a (t = 0) to b (t = 1) that is seen from p. Triangles of the group
-  /// `skipped` hide nothing; nor does what lies in the plane of p, a and b, or at p itself.
-  IntervalSet visible_part(const Vec3& p, const Vec3& a, const Vec3& b,
+  /// The parts within `range` of the segment a + t d, t in [0,1], that are seen from p. Triangles of
+  /// the group `skipped` hide nothing; nor does what lies in the plane of the query, or at p itself.
+  /// A segment whose line runs through p counts as visible.
+  IntervalSet visible_part(const Vec3& p, const Vec3& a, const Vec3& d, const Interval& range,
                            std::uint32_t skipped = kNone) const;
 
   std::size_t node_count() const { return nodes_.size(); }
@@ -51,7 +52,7 @@ class SegmentVisibility {
   struct Query;
   class TreeBuilder;
 
-  void walk(const Query& query, IntervalSet& visible) const;
+  void walk(Query& query, IntervalSet& visible) const;
   static unsigned children_met(const Node& node, const Query& query);
   static void subtract_block(const Block& block, const Query& query, IntervalSet& visible);
 

@@ -39,6 +39,16 @@ class Visibility {
     return scene_.geometry().occluded(v.ray_origin(), end);
   }
 
+  /// The parts of the chord, within `range`, that the vertex sees; parameters of the chord.
+  IntervalSet visible_part(const Vertex& v, const Chord& chord, const Interval& range,
+                           const AreaLight& light) {
+    ++counts_.segments;
+    const Vec3 off_light = std::max(light.error, v.error) * light.normal;
+    return scene_.segments().visible_part(v.ray_origin(), chord.begin + off_light,
+                                          chord.length * chord.direction, range,
+                                          scene_.index_of(light));
+  }
+
   const RayCounts& counts() const { return counts_; }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -26,7 +27,10 @@ struct AreaLight {
   bool is_parallelogram;
   std::optional<Rectangle> rectangle;  ///< set when all its angles are right
   DiscreteDistribution fan;  ///< by area, of the triangles (0, i+1, i+2) that make the polygon
-  ChordSet chords;
+  std::array<ChordSet, 2> chords;  ///< along the longest edge, and across it
+
+  /// Whether `from` lies on the emitting side of the light's plane.
+  bool faces(const Vec3& from) const;
 
   /// Emitted power of one channel per unit radiance is pi * area; this is pi * area * mean(Le).
   float power() const;

@@ -28,7 +28,18 @@ class SphericalRectangle {
   /// A point of the rectangle; its direction is uniform in solid angle.
   Vec3 sample(const Vec2& u) const;
 
+  /// The line x = const on which sample() puts its point for a given u.x.
+  struct Strip {
+    float x;               ///< from the rectangle's corner along its x
+    float pdf_x;           ///< per unit of x
+    float y_begin;         ///< of the line's beginning, from the foot of the point along y
+    float line_distance2;  ///< from the point to the line, squared
+  };
+  Strip strip(float u) const;
+
  private:
+  float sample_x(float u) const;
+
   Vec3 from_, x_, y_, z_;
   float x0_, y0_, z0_, x1_, y1_;
   float b0_, b1_, solid_angle_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raytracing/geometry/embree_scene.h"
+#include "raytracing/geometry/segment_visibility.h"
 #include "raytracing/lights/area_light.h"
 #include "raytracing/materials/material.h"
 #include "raytracing/math/frame.h"
@@ -36,14 +37,18 @@ struct BuildNotes {
 /// Everything that rendering reads. Immutable after construction.
 class Scene {
  public:
-  /// `threads` >= 1 build the accelerator.
-  Scene(SceneDescription description, int threads);
+  /// `threads` >= 1 build the accelerators; segments() only `with_segments`, as it takes memory.
+  Scene(SceneDescription description, int threads, bool with_segments);
 
   const EmbreeScene& geometry() const { return geometry_; }
+  const SegmentVisibility& segments() const { return segments_; }
   const CameraDescription& camera() const { return camera_; }
   std::span<const AreaLight> lights() const { return lights_; }
   /// Chooses a light with probability proportional to its power. There must be one.
   DiscreteDistribution::Choice choose_light(float u) const { return light_choice_.sample(u); }
+  std::uint32_t index_of(const AreaLight& light) const {
+    return static_cast<std::uint32_t>(&light - lights_.data());
+  }
   float light_pmf(std::uint32_t light) const { return light_choice_.pmf(light); }
   const BuildNotes& notes() const { return notes_; }
 
@@ -63,7 +68,7 @@ class Scene {
     Vec3 corners[3];  // unit
   };
   struct Builder;
-  explicit Scene(Builder&& builder, int threads);
+  Scene(Builder&& builder, int threads, bool with_segments);
 
   std::vector<Material> materials_;  // one per surface
   std::vector<std::uint32_t> sphere_materials_;
@@ -74,6 +79,7 @@ class Scene {
   CameraDescription camera_;
   BuildNotes notes_;
   EmbreeScene geometry_;
+  SegmentVisibility segments_;
 };
 
 }  // namespace raytracing

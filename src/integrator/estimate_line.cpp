@@ -1,0 +1,68 @@
+#include <cmath>
+
+#include "direct_methods.h"
+#include "raytracing/lights/chord_integral.h"
+#include "raytracing/lights/chord_sample.h"
+
+namespace raytracing {
+namespace {
+
+// Two chord directions share the samples, half each: where shadow edges run along the chords of
+// one, they cross those of the other. Halving the first number keeps each half stratified.
+struct DirectedNumber {
+  int direction;
+  float u;
+};
+DirectedNumber choose_direction(float u) {
+  return u < 0.5f ? DirectedNumber{0, 2 * u} : DirectedNumber{1, 2 * u - 1};
+}
+
+// Exact for a diffuse surface: the reflected radiance of all visible parts.
+Rgb closed_form(const DirectQuery& query, const ChordSample& sample, const SeenChord& seen,
+                std::span<const Interval> parts) {
+  const Vertex& v = query.vertex;
+  float irradiance = 0;
+  for (const Interval& part : parts) irradiance += seen.irradiance(v.shading.z, part);
+  // Along wi = normal, f cos is f itself: reflectance / pi.
+  const Rgb f = reflected(v, v.shading.z);
+  return query.light.Le * f * (irradiance / sample.pdf_u);
+}
+
+// For any surface: one point of the visible parts, which stand for their share of the chord.
+Rgb one_point(const DirectQuery& query, const ChordSample& sample,
+              std::span<const Interval> parts) {
+  float visible = 0;
+  for (const Interval& part : parts) visible += sample.share(part);
+  const Vec3 q = sample.chord.at(sample.parameter(parts, query.u.y));
+  const Vec3 wi = normalize(q - query.vertex.position);
+  const float pdf_w = sample.solid_angle > 0
+                          ? 1 / sample.solid_angle
+                          : area_pdf_w(query.light, query.vertex.position, q);
+  if (!(pdf_w > 0)) return Rgb(0.0f);
+  return query.light.Le * reflected(query.vertex, wi) *
+         (visible * light_sample_weight(query, wi, pdf_w) / pdf_w);
+}
+
+}  // namespace
+
+// A random chord of the light, its exact visible parts, and the light that they reflect to the
+// viewer: in closed form by a diffuse surface, by one point of the visible parts otherwise. The
+// weight against BSDF sampling takes the density that the point would have without occluders; any
+// weights that sum to one at each point of the light keep the sum unbiased.
+Rgb estimate_line(const DirectQuery& query, Visibility& visibility) {
+  const Vertex& v = query.vertex;
+  const auto [direction, u] = choose_direction(query.u.x);
+  const auto sample = sample_chord(query.light, v.position, direction, u);
+  if (!sample) return Rgb(0.0f);
+  const SeenChord seen(sample->chord, v.position, query.light.normal);
+  const Interval above =
+      seen.above_horizon(v.shading.z, seen.above_horizon(v.ng, Interval{0, 1}));
+  if (!(above.length() > 0)) return Rgb(0.0f);
+  const IntervalSet visible = visibility.visible_part(v, sample->chord, above, query.light);
+  if (visible.empty()) return Rgb(0.0f);
+  return std::holds_alternative<Diffuse>(*v.material)
+             ? closed_form(query, *sample, seen, visible.intervals())
+             : one_point(query, *sample, visible.intervals());
+}
+
+}  // namespace raytracing
