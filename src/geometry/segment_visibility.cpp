@@ -30,45 +30,52 @@ Lanes dot(const Vec3& n, const Lanes& x, const Lanes& y, const Lanes& z) {
   return n.x * x + (n.y * y + n.z * z);
 }
 
-// A point of the query's plane, in its two coordinates.
-struct PlanePoint {
-  float alpha, beta;
-  float depth() const { return alpha + beta; }  // 0 at p, 1 on the segment
+Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
+  Lanes result = no;
+  simd::where(mask, result) = yes;
+  return result;
+}
+
+// Eight points of the query's plane, in its two coordinates.
+struct PlanePoints {
+  Lanes alpha, beta;
+  Lanes depth() const { return alpha + beta; }  // 0 at p, 1 on the segment
 };
 
-PlanePoint mix(const PlanePoint& a, const PlanePoint& b, float s) {
+PlanePoints select(const Mask& mask, const PlanePoints& yes, const PlanePoints& no) {
+  return {select(mask, yes.alpha, no.alpha), select(mask, yes.beta, no.beta)};
+}
+
+PlanePoints mix(const PlanePoints& a, const PlanePoints& b, const Lanes& s) {
   return {a.alpha + s * (b.alpha - a.alpha), a.beta + s * (b.beta - a.beta)};
 }
 
-// A corner of a triangle: its place along the plane and its signed distance from it.
-struct Corner {
-  PlanePoint at;
-  float e;
+// One corner of eight triangles: its place along the plane and its signed distance from it.
+struct Corners {
+  PlanePoints at;
+  Lanes e;
 };
 
-// Where the edge between corners on either side meets the plane. Always from the side e >= 0 to the
-// other: the two triangles that share an edge get the same point, and nothing shines through.
-PlanePoint crossing(const Corner& a, const Corner& b) {
-  const Corner& above = a.e >= 0 ? a : b;
-  const Corner& below = a.e >= 0 ? b : a;
-  return mix(above.at, below.at, above.e / (above.e - below.e));
+// Where the edges between a and b meet the plane. Always from the side e >= 0 to the other: the two
+// triangles that share an edge get the same point, and nothing shines through between them.
+[[gnu::always_inline]] inline PlanePoints crossing(const Corners& a, const Corners& b) {
+  const Mask a_above = a.e >= 0;
+  const PlanePoints above = select(a_above, a.at, b.at), below = select(a_above, b.at, a.at);
+  const Lanes e_above = select(a_above, a.e, b.e), e_below = select(a_above, b.e, a.e);
+  return mix(above, below, e_above / (e_above - e_below));
 }
 
-// The interval of t that the plane segment from c to d hides; empty (end <= begin) if none.
-Interval hidden(PlanePoint c, PlanePoint d) {
-  constexpr Interval kNothing{0, 0};
-  if ((c.alpha < 0 && d.alpha < 0) || (c.beta < 0 && d.beta < 0)) return kNothing;
-  if (c.alpha < 0) c = {0, mix(c, d, c.alpha / (c.alpha - d.alpha)).beta};
-  if (d.alpha < 0) d = {0, mix(d, c, d.alpha / (d.alpha - c.alpha)).beta};
-  if (c.beta < 0 && d.beta < 0) return kNothing;
-  if (c.beta < 0) c = {mix(c, d, c.beta / (c.beta - d.beta)).alpha, 0};
-  if (d.beta < 0) d = {mix(d, c, d.beta / (d.beta - c.beta)).alpha, 0};
-  if (c.depth() >= 1 && d.depth() >= 1) return kNothing;
-  if (c.depth() > 1) c = mix(c, d, (c.depth() - 1) / (c.depth() - d.depth()));
-  if (d.depth() > 1) d = mix(d, c, (d.depth() - 1) / (d.depth() - c.depth()));
-  if (!(c.depth() > 0) || !(d.depth() > 0)) return kNothing;
-  const float tc = c.beta / c.depth(), td = d.beta / d.depth();
-  return tc < td ? Interval{tc, td} : Interval{td, tc};
+// Cuts the plane segments from c to d where the function that has these values at their ends is
+// negative; `coordinate`, if any, is that function and becomes exactly 0 at the cut. Returns which
+// segments are gone altogether.
+[[gnu::always_inline]] inline Mask clip(PlanePoints& c, PlanePoints& d, const Lanes& at_c, const Lanes& at_d,
+          Lanes PlanePoints::*coordinate = nullptr) {
+  const Mask cut_c = at_c < 0, cut_d = at_d < 0;
+  PlanePoints cut = mix(c, d, at_c / (at_c - at_d));
+  if (coordinate) cut.*coordinate = 0;
+  c = select(cut_c, cut, c);
+  d = select(cut_d, cut, d);
+  return cut_c && cut_d;
 }
 
 }  // namespace
@@ -178,21 +185,32 @@ void SegmentVisibility::subtract_block(const Block& block, const Query& query,
     beta[corner] = dot(query.beta, x, y, z);
     e[corner] = dot(query.normal, x, y, z);
   }
+  const Corners corners[3] = {
+      {{alpha[0], beta[0]}, e[0]}, {{alpha[1], beta[1]}, e[1]}, {{alpha[2], beta[2]}, e[2]}};
   const Mask above[3] = {e[0] >= 0, e[1] >= 0, e[2] >= 0};
   const Mask crosses = (above[0] || above[1] || above[2]) && !(above[0] && above[1] && above[2]);
   const Mask inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
                       (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
                       (alpha[0] + beta[0] < 1 || alpha[1] + beta[1] < 1 || alpha[2] + beta[2] < 1);
-  for (unsigned bits = to_bits(crosses && inside); bits != 0; bits &= bits - 1) {
-    const int i = std::countr_zero(bits);
+  if (simd::none_of(crosses && inside)) return;
+
+  // Two of the three edges cross the plane.
+  const PlanePoints on_12 = crossing(corners[1], corners[2]);
+  PlanePoints c = select(above[0] != above[1], crossing(corners[0], corners[1]), on_12);
+  PlanePoints d = select(above[2] != above[0], crossing(corners[2], corners[0]), on_12);
+  Mask gone = !(crosses && inside);
+  gone = gone || clip(c, d, c.alpha, d.alpha, &PlanePoints::alpha);
+  gone = gone || clip(c, d, c.beta, d.beta, &PlanePoints::beta);
+  gone = gone || clip(c, d, 1 - c.depth(), 1 - d.depth());
+  const Lanes tc = c.beta / c.depth(), td = d.beta / d.depth();
+  const Interval hull = visible.hull();
+  const Lanes begin = simd::min(tc, td), end = simd::max(tc, td);
+  Mask hides = !gone && begin < end && begin < hull.end && end > hull.begin;
+  while (simd::any_of(hides)) {
+    const int i = simd::find_first_set(hides);
+    hides[i] = false;
     if (query.skipped != kNone && block.group[i] == query.skipped) continue;
-    Corner c[3];
-    for (int k = 0; k < 3; ++k) c[k] = {{alpha[k][i], beta[k][i]}, e[k][i]};
-    // The corner that is alone on its side.
-    const int lone = (c[0].e >= 0) == (c[1].e >= 0) ? 2 : (c[0].e >= 0) == (c[2].e >= 0) ? 1 : 0;
-    const Interval gap = hidden(crossing(c[lone], c[(lone + 1) % 3]),
-                                crossing(c[lone], c[(lone + 2) % 3]));
-    visible.subtract(gap.begin, gap.end);
+    visible.subtract(begin[i], end[i]);
     if (visible.empty()) return;
   }
 }

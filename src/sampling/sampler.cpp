@@ -10,6 +10,7 @@ namespace {
 constexpr std::uint32_t kShuffle = 0x9e3779b9u;
 constexpr std::uint32_t kScrambleX = 0x85ebca6bu;
 constexpr std::uint32_t kScrambleY = 0xc2b2ae35u;
+constexpr std::uint32_t kJoint = 0x165667b1u;
 constexpr std::uint32_t kExtra = 0x27d4eb2fu;
 
 }  // namespace
@@ -58,6 +59,22 @@ void PathSampler::make_batch(std::uint32_t index) {
     x_[i] = unit_float(reverse_bits(scramble_reversed(shuffled, seed_x)));
     y_[i] = unit_float(reverse_bits(scramble_reversed(reversed_sobol2(shuffled), seed_y)));
   }
+  if (first_ == 0) join_first_pairs();
+}
+
+void PathSampler::join_first_pairs() {
+  const std::uint32_t index = reverse_bits(reversed_sample_);
+  const std::uint32_t coordinates[4] = {index, reversed_sobol2(index), kSobol3.reversed(index),
+                                        kSobol4.reversed(index)};
+  float numbers[4];
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t seed = mix_bits((key_[0] + key_[1]) ^ ((i + 1) * kJoint));
+    numbers[i] = unit_float(reverse_bits(scramble_reversed(coordinates[i], seed)));
+  }
+  x_[0] = numbers[0];
+  y_[0] = numbers[1];
+  x_[1] = numbers[2];
+  y_[1] = numbers[3];
 }
 
 float PathSampler::extra(std::uint32_t index, std::uint32_t i) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace raytracing {
@@ -36,5 +37,44 @@ constexpr std::uint32_t reversed_sobol2(std::uint32_t index) {
   y ^= (y & 0xaaaaaaaau) >> 1;
   return y;
 }
+
+/// One further coordinate of the Sobol' sequence, bit-reversed, by a table for each byte of the
+/// index.
+class SobolCoordinate {
+ public:
+  /// From the primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 and the first `degree`
+  /// direction numbers (Joe & Kuo 2008, eqs. 2 and 3). `a` holds the inner coefficients as bits, a_1
+  /// the highest.
+  constexpr SobolCoordinate(int degree, std::uint32_t a, const std::array<std::uint32_t, 3>& first) {
+    std::array<std::uint32_t, 32> m{};
+    for (int i = 0; i < 32; ++i) {
+      if (i < degree) {
+        m[i] = first[i];
+        continue;
+      }
+      m[i] = m[i - degree] ^ (m[i - degree] << degree);
+      for (int k = 1; k < degree; ++k)
+        if ((a >> (degree - 1 - k)) & 1) m[i] ^= m[i - k] << k;
+    }
+    for (int bit = 0; bit < 32; ++bit) {
+      const std::uint32_t reversed = reverse_bits(m[bit] << (31 - bit));
+      auto& table = tables_[bit / 8];
+      for (std::uint32_t byte = 0; byte < 256; ++byte)
+        if ((byte >> (bit % 8)) & 1) table[byte] ^= reversed;
+    }
+  }
+
+  constexpr std::uint32_t reversed(std::uint32_t index) const {
+    return tables_[0][index & 255] ^ tables_[1][(index >> 8) & 255] ^
+           tables_[2][(index >> 16) & 255] ^ tables_[3][index >> 24];
+  }
+
+ private:
+  std::array<std::array<std::uint32_t, 256>, 4> tables_{};
+};
+
+/// Third and fourth coordinate.
+inline constexpr SobolCoordinate kSobol3(2, 1, {1, 3, 0});
+inline constexpr SobolCoordinate kSobol4(3, 1, {1, 3, 1});
 
 }  // namespace raytracing

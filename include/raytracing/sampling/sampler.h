@@ -10,7 +10,7 @@
 namespace raytracing {
 
 enum class SamplerKind {
-  sobol,        ///< padded pairs of the Owen-scrambled 2D Sobol' sequence (Burley 2020)
+  sobol,        ///< Owen-scrambled Sobol': pairs 0 and 1 jointly in 4D, then padded 2D (Burley 2020)
   independent,  ///< pseudo-random numbers
 };
 
@@ -20,6 +20,10 @@ std::optional<SamplerKind> sampler_kind(std::string_view name);
 /// The uniform numbers of one sample of one pixel: a pure function of (seed, pixel, sample index,
 /// dimension), so that a picture depends neither on threads nor on order. Numbers come in pairs;
 /// pairs are made sixteen at a time, which vectorises. All numbers lie in [0,1).
+///
+/// Pairs 0 and 1 are for the position in the pixel and the first light sample. Direct light is an
+/// integral over all four, and only where they are stratified together does its error fall faster
+/// than that of 2D pairs padded at random.
 class PathSampler {
  public:
   PathSampler(SamplerKind kind, std::uint64_t seed, std::uint32_t x, std::uint32_t y,
@@ -38,6 +42,7 @@ class PathSampler {
  private:
   static constexpr std::uint32_t kBatch = 16;
   void make_batch(std::uint32_t index);
+  void join_first_pairs();
 
   SamplerKind kind_;
   std::uint32_t key_[2];           // of pixel and seed (sobol) or of the sample (independent)
