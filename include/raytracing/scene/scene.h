@@ -37,8 +37,9 @@ struct BuildNotes {
 /// Everything that rendering reads. Immutable after construction.
 class Scene {
  public:
-  /// `threads` >= 1 build the accelerators; segments() only `with_segments`, as it takes memory.
-  Scene(SceneDescription description, int threads, bool with_segments);
+  /// `threads` >= 1 build the accelerators. Without `with_segments`, segments() stays empty and
+  /// takes no memory: for methods that do not ask it.
+  Scene(SceneDescription description, int threads, bool with_segments = true);
 
   const EmbreeScene& geometry() const { return geometry_; }
   const SegmentVisibility& segments() const { return segments_; }
