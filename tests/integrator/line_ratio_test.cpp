@@ -39,14 +39,14 @@ double expected_by_line_ratio(const DirectScene& scene) {
   const LPolygon hidden = hidden_part(scene);
   const AreaLight& light = scene.scene().lights()[0];
   const auto of_chord = [&](double u) {
-    const std::optional<Chord> chord = light.chords.at(static_cast<float>(u));
+    const std::optional<Chord> chord = light.chords[0].at(static_cast<float>(u));
     if (!chord) return 0.0;
     const DVec3 begin(chord->begin), along = DVec3(chord->direction) * double{chord->length};
     const double f =
         integrate([&](double t) { return scene.integrand(begin + t * along); }, 0, 1, 20);
     return length(along) * f * visible_fraction(begin, along, hidden);
   };
-  return kLe * integrate(of_chord, 0, double{light.chords.extent()}, 300);
+  return kLe * integrate(of_chord, 0, double{light.chords[0].extent()}, 300);
 }
 
 struct BiasCase {

@@ -64,7 +64,7 @@ TEST(Chords, LengthsIntegrateToTheArea) {
       EXPECT_NEAR(integral_of_lengths(setting.chords, 2000), setting.light.area, 1e-3);
     }
     const AreaLight light(corners, Rgb(1.0f));
-    EXPECT_NEAR(integral_of_lengths(light.chords, 2000), light.area, 1e-3);
+    EXPECT_NEAR(integral_of_lengths(light.chords[0], 2000), light.area, 1e-3);
   }
 }
 
