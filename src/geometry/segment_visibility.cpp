@@ -80,33 +80,53 @@ struct Corners {
 
 }  // namespace
 
-// The query's plane and the linear functions of a point x that bound what can hide the segment:
-// each is n . (x - p) with the tolerance that rounding needs.
+// A linear function n . (x - p) of a point x, and how far rounding may put it off.
+struct Side {
+  Side() = default;
+  Side(const Vec3& normal, float rounding) : n(normal) {
+    const Vec3 size = absolute(n);
+    tolerance = rounding * (size.x + size.y + size.z);
+  }
+  Vec3 n{0.0f};
+  float tolerance = 0;
+};
+
+// The query's plane and the functions that bound what can hide the segment.
 struct SegmentVisibility::Query {
   Query(const Vec3& from, const Vec3& a, const Vec3& along, float max_coordinate,
         std::uint32_t skip)
       : p(from), skipped(skip) {
     const Vec3 to_a = a - p, to_b = to_a + along;
-    normal = cross(to_a, along);  // not to_a x to_b: that cancels for a short far segment
-    const float n2 = glm::dot(normal, normal);
-    alpha = cross(to_b, normal) / n2;
-    beta = cross(normal, to_a) / n2;
+    const Vec3 normal = cross(to_a, along);  // not to_a x to_b: that cancels for a short far segment
+    const float inverse = 1 / glm::dot(normal, normal);
     rounding = 0x1p-21f * max_coordinate;
+    plane = {normal, rounding};
+    alpha = inverse * cross(to_b, normal);
+    beta = inverse * cross(normal, to_a);
+    depth = {alpha + beta, rounding};
+    segment = {a - p, along};
   }
 
-  bool degenerate() const { return !(glm::dot(normal, normal) > 0); }
+  bool degenerate() const { return !(glm::dot(plane.n, plane.n) > 0); }
 
   // Restricts the search to what hides this part of the segment.
   void narrow(const Interval& hull) {
-    after_begin = (1 - hull.begin) * beta - hull.begin * alpha;
-    before_end = hull.end * alpha - (1 - hull.end) * beta;
+    after_begin = {(1 - hull.begin) * beta - hull.begin * alpha, rounding};
+    before_end = {hull.end * alpha - (1 - hull.end) * beta, rounding};
+    const Vec3 begin = segment.first + hull.begin * segment.second;
+    const Vec3 end = segment.first + hull.end * segment.second;
+    lower = p + glm::min(Vec3(0.0f), glm::min(begin, end));
+    upper = p + glm::max(Vec3(0.0f), glm::max(begin, end));
   }
 
   Vec3 p;
-  Vec3 normal;       // n . (x-p) = e, the signed distance times |normal|
-  Vec3 alpha, beta;  // the coordinates alpha and beta
-  Vec3 after_begin;  // >= 0 for what projects behind the beginning of the hull
-  Vec3 before_end;   // >= 0 for what projects before its end
+  Side plane;                      // the signed distance e, times |n|
+  Vec3 alpha, beta;                // the coordinates alpha and beta
+  Side depth;                      // alpha + beta
+  Side after_begin;                // >= 0 for what projects behind the beginning of the hull
+  Side before_end;                 // >= 0 for what projects before its end
+  std::pair<Vec3, Vec3> segment;   // beginning, from p, and direction
+  Vec3 lower, upper;               // bounds of p and the hull
   float rounding;
   std::uint32_t skipped;
 };
@@ -161,16 +181,15 @@ unsigned SegmentVisibility::children_met(const Node& node, const Query& query) {
     return dot(n, load(bounds[x][0]) - query.p.x, load(bounds[y][1]) - query.p.y,
                load(bounds[z][2]) - query.p.z);
   };
-  const auto tolerance = [&](const Vec3& n) {
-    const Vec3 size = absolute(n);
-    return query.rounding * (size.x + size.y + size.z);
-  };
-  const Vec3 depth = query.alpha + query.beta;
-  Mask met = extreme(query.normal, true) >= -tolerance(query.normal);
-  met = met && extreme(query.normal, false) <= tolerance(query.normal);
-  met = met && extreme(query.after_begin, true) >= -tolerance(query.after_begin);
-  met = met && extreme(query.before_end, true) >= -tolerance(query.before_end);
-  met = met && extreme(depth, false) <= 1 + tolerance(depth);
+  // Exact comparisons: the query's own rounding is far below the offset of its ends from surfaces.
+  Mask met = load(bounds[0][0]) <= query.upper.x && load(bounds[1][0]) >= query.lower.x &&
+             load(bounds[0][1]) <= query.upper.y && load(bounds[1][1]) >= query.lower.y &&
+             load(bounds[0][2]) <= query.upper.z && load(bounds[1][2]) >= query.lower.z;
+  met = met && extreme(query.plane.n, true) >= -query.plane.tolerance &&
+        extreme(query.plane.n, false) <= query.plane.tolerance;
+  met = met && extreme(query.after_begin.n, true) >= -query.after_begin.tolerance &&
+        extreme(query.before_end.n, true) >= -query.before_end.tolerance;
+  met = met && extreme(query.depth.n, false) <= 1 + query.depth.tolerance;
   return to_bits(met) & ((1u << node.count) - 1);
 }
 
@@ -183,7 +202,7 @@ void SegmentVisibility::subtract_block(const Block& block, const Query& query,
     const Lanes z = load(block.corners[corner][2]) - query.p.z;
     alpha[corner] = dot(query.alpha, x, y, z);
     beta[corner] = dot(query.beta, x, y, z);
-    e[corner] = dot(query.normal, x, y, z);
+    e[corner] = dot(query.plane.n, x, y, z);
   }
   const Corners corners[3] = {
       {{alpha[0], beta[0]}, e[0]}, {{alpha[1], beta[1]}, e[1]}, {{alpha[2], beta[2]}, e[2]}};
