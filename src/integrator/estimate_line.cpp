@@ -38,7 +38,7 @@ Rgb one_point(const DirectQuery& query, const ChordSample& sample,
   const float pdf_w = sample.solid_angle > 0
                           ? 1 / sample.solid_angle
                           : area_pdf_w(query.light, query.vertex.position, q);
-  if (!(pdf_w > 0)) return Rgb(0.0f);
+  if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
   return query.light.Le * reflected(query.vertex, wi) *
          (visible * light_sample_weight(query, wi, pdf_w) / pdf_w);
 }
