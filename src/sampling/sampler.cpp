@@ -63,7 +63,8 @@ void PathSampler::make_batch(std::uint32_t index) {
 }
 
 void PathSampler::join_first_pairs() {
-  const std::uint32_t index = reverse_bits(reversed_sample_);
+  // Shuffled like the other pairs: sample i of one pixel tells nothing of sample i of another.
+  const std::uint32_t index = reverse_bits(scramble_reversed(reversed_sample_, mix_bits(key_[0])));
   const std::uint32_t coordinates[4] = {index, reversed_sobol2(index), kSobol3.reversed(index),
                                         kSobol4.reversed(index)};
   float numbers[4];
