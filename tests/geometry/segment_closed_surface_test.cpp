@@ -1,0 +1,213 @@
+// Nothing shines through the edges that triangles share; and the rims of what a query may meet.
+#include <gtest/gtest.h>
+
+#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/math/frame.h"
+#include "support/segment_reference.h"
+
+namespace raytracing {
+namespace {
+
+constexpr double kAllowed = 16;  // float spacings of the largest coordinate
+
+std::array<Vec3, 3> random_axes(TestRandom& random) {
+  const Frame frame = Frame::around(random.direction());
+  return {frame.x, frame.y, cross(frame.x, frame.y)};
+}
+
+IntervalSet visible(const SegmentVisibility& tree, const SegmentQuery& q) {
+  return tree.visible_part(q.p, q.a, q.d, {0, 1});
+}
+
+// A closed convex surface hides one interval: what is left are at most the two pieces beside it.
+TEST(SegmentVisibility, ConvexSurfacesHideOneIntervalWithoutSlits) {
+  TestRandom random(1);
+  int whole = 0, partial = 0;
+  for (int round = 0; round < 3000; ++round) {
+    SegmentScene scene;
+    const float scale = std::exp2(random.between(-12, 12));
+    const Sphere ball{scale * random.in_cube(3), scale * random.between(0.2f, 1)};
+    add_tessellated_sphere(scene, ball, round % 5, random_axes(random));
+    const SegmentVisibility tree = scene.build();
+    for (int i = 0; i < 10; ++i) {
+      const Vec3 to = random.direction();
+      const Vec3 p = ball.center - random.between(1.05f, 5.0f) * ball.radius * to;
+      const Vec3 a = ball.center + ball.radius * (random.between(1.1f, 4.0f) * to +
+                                                  random.between(0.1f, 2) * random.direction());
+      const SegmentQuery q{p, a, scale * random.between(0.01f, 2) * random.direction()};
+      const IntervalSet set = visible(tree, q);
+      Pieces hidden = hidden_pieces(scene, q);
+      std::sort(hidden.begin(), hidden.end());
+      double begin = 1, end = 0;
+      for (const auto& [first, last] : hidden) {
+        begin = std::min(begin, first);
+        end = std::max(end, last);
+      }
+      ASSERT_LE(set.intervals().size(), 2u) << round;
+      ASSERT_LE(worst_error(scene, q, set), kAllowed) << round;
+      if (begin <= 0 && end >= 1) {
+        ++whole;
+      } else if (begin < end) {
+        ++partial;
+      }
+      for (const Interval& part : set.intervals())  // beside what is hidden, not in it
+        ASSERT_TRUE(part.begin == 0 || part.end == 1) << round;
+    }
+  }
+  EXPECT_GT(whole, 3000);
+  EXPECT_GT(partial, 1000);
+}
+
+// A flat net of shared corners between the point and the segment, larger than their hull.
+TEST(SegmentVisibility, FlatNetsHideEverything) {
+  TestRandom random(2);
+  for (int round = 0; round < 3000; ++round) {
+    const auto [x, y, z] = random_axes(random);
+    const Vec3 middle = random.in_cube(4);
+    const std::uint32_t n = 1 + static_cast<std::uint32_t>(random.bits() % 12);
+    SegmentScene scene;
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (std::uint32_t j = 0; j <= n; ++j) {
+        const Vec2 at = 6.0f * Vec2(i, j) / static_cast<float>(n) - 3.0f;
+        scene.positions.push_back(middle + at.x * x + at.y * y);
+      }
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) {
+        const std::uint32_t k = i * (n + 1) + j;
+        scene.triangles.push_back({{k, k + 1, k + n + 2}});
+        scene.triangles.push_back({{k, k + n + 2, k + n + 1}});
+      }
+    const SegmentVisibility tree = scene.build();
+    const auto near_axis = [&](float height) {
+      return middle + height * z + random.between(-1, 1) * x + random.between(-1, 1) * y;
+    };
+    for (int i = 0; i < 10; ++i) {
+      const Vec3 p = near_axis(random.between(0.01f, 2)), a = near_axis(-random.between(0.01f, 2));
+      const Vec3 d = near_axis(-random.between(0.01f, 2)) - a;
+      ASSERT_TRUE(visible(tree, {p, a, d}).empty()) << round;
+      // The segment itself crosses the net: one piece is left, up to the crossing.
+      const Vec3 across = near_axis(random.between(0.1f, 2)) - a;
+      const IntervalSet part = visible(tree, {p, a, across});
+      ASSERT_EQ(part.intervals().size(), 1u) << round;
+      ASSERT_EQ(part.hull().end, 1.0f) << round;
+      ASSERT_LE(worst_error(scene, {p, a, across}, part), kAllowed) << round;
+    }
+  }
+}
+
+const SegmentQuery kQuery{Vec3(0, 0, 0), Vec3(-1, 2, 0), Vec3(2, 0, 0)};
+
+void expect_all(const IntervalSet& set) {
+  ASSERT_EQ(set.intervals().size(), 1u);
+  EXPECT_EQ(set.hull().begin, 0.0f);
+  EXPECT_EQ(set.hull().end, 1.0f);
+}
+
+TEST(SegmentVisibility, EmptyScenesHideNothing) {
+  expect_all(visible(SegmentVisibility(), kQuery));
+  expect_all(visible(SegmentScene().build(), kQuery));
+  const IntervalSet part = SegmentVisibility().visible_part(kQuery.p, kQuery.a, kQuery.d,
+                                                            {0.25f, 0.5f});
+  EXPECT_EQ(part.hull().begin, 0.25f);
+  EXPECT_EQ(part.hull().end, 0.5f);
+}
+
+// A lone triangle hides the middle half; the tree is a single leaf.
+TEST(SegmentVisibility, LoneTriangle) {
+  SegmentScene scene;
+  scene.add(Vec3(-0.25f, 1, -1), Vec3(-0.25f, 1, 1), Vec3(0.75f, 1, 0));
+  const IntervalSet set = visible(scene.build(), kQuery);
+  ASSERT_EQ(set.intervals().size(), 1u);
+  // From x = -0.25 at depth 1, so -0.5 on the segment; to 0.75, so beyond the end.
+  EXPECT_EQ(set.hull().begin, 0.0f);
+  EXPECT_EQ(set.hull().end, 0.25f);
+}
+
+TEST(SegmentVisibility, WhatLiesInThePlaneHidesNothing) {
+  SegmentScene scene;
+  scene.add(Vec3(-0.5f, 1, 0), Vec3(0.5f, 1, 0), Vec3(0, 1.5f, 0));
+  expect_all(visible(scene.build(), kQuery));
+}
+
+// A face that touches the plane by an edge hides on one side of it only: of two such faces exactly
+// one hides, so that nothing is counted twice or not at all.
+TEST(SegmentVisibility, TouchingThePlaneByACornerOrAnEdge) {
+  for (float side : {1.0f, -1.0f}) {
+    SegmentScene corner;
+    corner.add(Vec3(0, 1, 0), Vec3(-0.5f, 1, side), Vec3(0.5f, 1, side));
+    expect_all(visible(corner.build(), kQuery));
+  }
+  SegmentScene both;
+  int hiding = 0;
+  for (float side : {1.0f, -1.0f}) {
+    SegmentScene one;
+    for (SegmentScene* scene : {&one, &both})
+      scene->add(Vec3(-0.25f, 1, 0), Vec3(0.25f, 1, 0), Vec3(0, 1, side));
+    hiding += visible(one.build(), kQuery).length() < 1;
+  }
+  EXPECT_EQ(hiding, 1);
+  const IntervalSet set = visible(both.build(), kQuery);
+  ASSERT_EQ(set.intervals().size(), 2u);
+  EXPECT_EQ(set.intervals()[0].end, 0.25f);
+  EXPECT_EQ(set.intervals()[1].begin, 0.75f);
+}
+
+TEST(SegmentVisibility, DegenerateTrianglesHideNothing) {
+  SegmentScene scene;
+  scene.add(Vec3(0, 1, 0), Vec3(0, 1, 0), Vec3(0, 1, 0));
+  scene.add(Vec3(0, 1, -1), Vec3(0, 1, -1), Vec3(0.3f, 1, 1));
+  scene.add(Vec3(0, 1, -1), Vec3(0, 1, 1), Vec3(0, 1, -1));
+  scene.add(Vec3(-1, 1, -1), Vec3(0, 1, 0), Vec3(1, 1, 1));
+  scene.add(Vec3(0.1f, 1, -1), Vec3(0.1f, 1, 0.5f), Vec3(0.1f, 1, 1));
+  const IntervalSet set = visible(scene.build(), kQuery);
+  EXPECT_NEAR(set.length(), 1, 1e-6);
+  TestRandom random(3);
+  for (int round = 0; round < 2000; ++round) {
+    SegmentScene lines;
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 a = random.in_cube(1), b = random.in_cube(1);
+      i % 2 ? lines.add(a, b, i % 4 == 1 ? a : b) : lines.add(a, 0.5f * (a + b), b);
+    }
+    const SegmentQuery q{random.in_cube(1), random.in_cube(1), random.in_cube(1)};
+    ASSERT_LE(worst_error(lines, q, visible(lines.build(), q)), kAllowed) << round;
+  }
+}
+
+TEST(SegmentVisibility, SegmentsWithoutAnAngleAreVisible) {
+  SegmentScene scene;
+  add_tessellated_sphere(scene, {Vec3(0, 1, 0), 0.5f}, 2,
+                         {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
+  const SegmentVisibility tree = scene.build();
+  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0.0f)}));  // of no length
+  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0, 1, 0)}));  // in line with the point
+  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 0, 0), Vec3(0, 1, 0)}));
+}
+
+// A point beside a surface it was computed on, offset like a spawned ray, sees all that lies on its
+// side and nothing behind.
+TEST(SegmentVisibility, ContactPointsDoNotHideThemselves) {
+  TestRandom random(4);
+  for (int round = 0; round < 4000; ++round) {
+    const float scale = std::exp2(random.between(-10, 14));
+    const Vec3 at = scale * random.in_cube(4);
+    SegmentScene scene;
+    const Vec3 b = at + scale * random.in_cube(1), c = at + scale * random.in_cube(1);
+    scene.add(at, b, c);
+    const Vec3 n = normalize(cross(b - at, c - at));
+    const SegmentVisibility tree = scene.build();
+    const Vec2 w = 0.45f * random.unit2() + 0.02f;
+    const Vec3 on = at + w.x * (b - at) + w.y * (c - at);
+    const Vec3 p = offset_point(on, n, position_error(max_component(absolute(at)) + 2 * scale));
+    const auto above = [&] {
+      const Vec3 v = random.direction();
+      return on + scale * (dot(v, n) < 0 ? -v : v) + 0.01f * scale * n;
+    };
+    const Vec3 a = above(), d = above() - a;
+    const IntervalSet set = visible(tree, {p, a, d});
+    ASSERT_EQ(set.intervals().size(), 1u) << round;
+    ASSERT_EQ(set.length(), 1.0f) << round;
+  }
+}
+
+}  // namespace
+}  // namespace raytracing
