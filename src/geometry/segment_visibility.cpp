@@ -36,18 +36,21 @@ Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
   return result;
 }
 
-// Eight points of the query's plane, in its two coordinates.
+// Eight points of the query's plane, in its two coordinates. Their sum is kept besides, 0 at p and 1
+// on the segment: for a short far segment alpha and beta are large and cancel in it.
 struct PlanePoints {
-  Lanes alpha, beta;
-  Lanes depth() const { return alpha + beta; }  // 0 at p, 1 on the segment
+  Lanes alpha, beta, depth;
+  Lanes t() const { return beta / (alpha + beta); }  // exactly 0 or 1 after a clip
 };
 
 PlanePoints select(const Mask& mask, const PlanePoints& yes, const PlanePoints& no) {
-  return {select(mask, yes.alpha, no.alpha), select(mask, yes.beta, no.beta)};
+  return {select(mask, yes.alpha, no.alpha), select(mask, yes.beta, no.beta),
+          select(mask, yes.depth, no.depth)};
 }
 
 PlanePoints mix(const PlanePoints& a, const PlanePoints& b, const Lanes& s) {
-  return {a.alpha + s * (b.alpha - a.alpha), a.beta + s * (b.beta - a.beta)};
+  return {a.alpha + s * (b.alpha - a.alpha), a.beta + s * (b.beta - a.beta),
+          a.depth + s * (b.depth - a.depth)};
 }
 
 // One corner of eight triangles: its place along the plane and its signed distance from it.
@@ -103,7 +106,7 @@ struct SegmentVisibility::Query {
     plane = {normal, rounding};
     alpha = inverse * cross(to_b, normal);
     beta = inverse * cross(normal, to_a);
-    depth = {alpha + beta, rounding};
+    depth = {inverse * cross(along, normal), rounding};
     segment = {a - p, along};
   }
 
@@ -122,7 +125,7 @@ struct SegmentVisibility::Query {
   Vec3 p;
   Side plane;                      // the signed distance e, times |n|
   Vec3 alpha, beta;                // the coordinates alpha and beta
-  Side depth;                      // alpha + beta
+  Side depth;                      // their sum, without the cancellation
   Side after_begin;                // >= 0 for what projects behind the beginning of the hull
   Side before_end;                 // >= 0 for what projects before its end
   std::pair<Vec3, Vec3> segment;   // beginning, from p, and direction
@@ -195,22 +198,24 @@ unsigned SegmentVisibility::children_met(const Node& node, const Query& query) {
 
 void SegmentVisibility::subtract_block(const Block& block, const Query& query,
                                        IntervalSet& visible) {
-  Lanes alpha[3], beta[3], e[3];
+  Lanes alpha[3], beta[3], depth[3], e[3];
   for (int corner = 0; corner < 3; ++corner) {
     const Lanes x = load(block.corners[corner][0]) - query.p.x;
     const Lanes y = load(block.corners[corner][1]) - query.p.y;
     const Lanes z = load(block.corners[corner][2]) - query.p.z;
     alpha[corner] = dot(query.alpha, x, y, z);
     beta[corner] = dot(query.beta, x, y, z);
+    depth[corner] = dot(query.depth.n, x, y, z);
     e[corner] = dot(query.plane.n, x, y, z);
   }
-  const Corners corners[3] = {
-      {{alpha[0], beta[0]}, e[0]}, {{alpha[1], beta[1]}, e[1]}, {{alpha[2], beta[2]}, e[2]}};
+  const Corners corners[3] = {{{alpha[0], beta[0], depth[0]}, e[0]},
+                              {{alpha[1], beta[1], depth[1]}, e[1]},
+                              {{alpha[2], beta[2], depth[2]}, e[2]}};
   const Mask above[3] = {e[0] >= 0, e[1] >= 0, e[2] >= 0};
   const Mask crosses = (above[0] || above[1] || above[2]) && !(above[0] && above[1] && above[2]);
   const Mask inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
                       (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
-                      (alpha[0] + beta[0] < 1 || alpha[1] + beta[1] < 1 || alpha[2] + beta[2] < 1);
+                      (depth[0] < 1 || depth[1] < 1 || depth[2] < 1);
   if (simd::none_of(crosses && inside)) return;
 
   // Two of the three edges cross the plane.
@@ -220,8 +225,8 @@ void SegmentVisibility::subtract_block(const Block& block, const Query& query,
   Mask gone = !(crosses && inside);
   gone = gone || clip(c, d, c.alpha, d.alpha, &PlanePoints::alpha);
   gone = gone || clip(c, d, c.beta, d.beta, &PlanePoints::beta);
-  gone = gone || clip(c, d, 1 - c.depth(), 1 - d.depth());
-  const Lanes tc = c.beta / c.depth(), td = d.beta / d.depth();
+  gone = gone || clip(c, d, 1 - c.depth, 1 - d.depth);
+  const Lanes tc = c.t(), td = d.t();
   const Interval hull = visible.hull();
   const Lanes begin = simd::min(tc, td), end = simd::max(tc, td);
   Mask hides = !gone && begin < end && begin < hull.end && end > hull.begin;
