@@ -1,0 +1,109 @@
+#pragma once
+// What the studies share: reports in Markdown, tables for the charts, fits and clocks.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace raytracing {
+
+/// The text of a study. It goes to the standard output and, when the program is given a folder, into
+/// <folder>/<name>.md; tables go beside it.
+class StudyReport {
+ public:
+  StudyReport(int argc, char** argv, std::string name)
+      : folder_(argc > 1 ? argv[1] : ""), name_(std::move(name)) {
+    if (!folder_.empty()) std::filesystem::create_directories(folder_);
+  }
+
+  template <class... Arguments>
+  void print(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    const std::string more = fmt::format(format, std::forward<Arguments>(arguments)...);
+    std::fputs(more.c_str(), stdout);
+    std::fflush(stdout);
+    text_ += more;
+  }
+
+  /// Writes <folder>/<name>_<table>.csv.
+  void write_csv(std::string_view table, const std::string& csv) const {
+    write(fmt::format("{}_{}.csv", name_, table), csv);
+  }
+  /// Writes the text; call it at the end.
+  void write_text() const { write(name_ + ".md", text_); }
+
+ private:
+  void write(const std::string& file_name, const std::string& text) const {
+    if (folder_.empty()) return;
+    const std::filesystem::path path = folder_ / file_name;
+    std::ofstream file(path);
+    file << text;
+    if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+  }
+
+  std::filesystem::path folder_;
+  std::string name_, text_;
+};
+
+/// The straight line of least squares through points (log x, log y).
+struct PowerLaw {
+  double exponent = 0;
+  double error = 0;      ///< standard error of the exponent, from the residuals
+  double log_scale = 0;  ///< log y at x = 1
+
+  double at(double x) const { return std::exp(log_scale + exponent * std::log(x)); }
+};
+
+inline PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y) {
+  const double n = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0, residuals = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / n;
+    mean_y += std::log(y[i]) / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double dx = std::log(x[i]) - mean_x;
+    xx += dx * dx;
+    xy += dx * (std::log(y[i]) - mean_y);
+  }
+  PowerLaw fit;
+  fit.exponent = xy / xx;
+  fit.log_scale = mean_y - fit.exponent * mean_x;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double r = std::log(y[i]) - fit.log_scale - fit.exponent * std::log(x[i]);
+    residuals += r * r;
+  }
+  if (x.size() > 2) fit.error = std::sqrt(residuals / (n - 2) / xx);
+  return fit;
+}
+
+/// Processor time of this thread: other programs count only by what they do to the caches.
+inline double thread_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+inline double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+/// The quartile below (0.25) or above (0.75), or any other quantile.
+inline double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+}  // namespace raytracing
