@@ -13,10 +13,11 @@
 namespace raytracing {
 namespace {
 
-constexpr int kReceivers = 4096;
+constexpr int kReceivers = 512;
+constexpr int kSamples = 16;  // of each receiver, one after the other, as in a render's pass
 constexpr int kRepetitions = 11;
 
-// One receiver with its questions: a point of the light, a full chord, both of one sample.
+// One sample of a receiver: a point of the light and a full chord.
 struct Question {
   Vertex vertex;
   const AreaLight* light;
@@ -25,10 +26,7 @@ struct Question {
   Vec2 u;
 };
 
-std::optional<Question> ask(const Scene& scene, const Ray& ray, TestRandom& random) {
-  const std::optional<Hit> hit = scene.geometry().closest_hit(ray);
-  if (!hit) return std::nullopt;
-  const Vertex v = scene.vertex(ray, *hit);
+std::optional<Question> ask(const Scene& scene, const Vertex& v, TestRandom& random) {
   const AreaLight& light = scene.lights()[scene.choose_light(random.unit()).index];
   const Vec2 u = random.unit2();
   const auto sample = sample_chord(light, v.position, random.unit() < 0.5f ? 0 : 1, u.x);
@@ -40,10 +38,33 @@ std::optional<Question> ask(const Scene& scene, const Ray& ray, TestRandom& rand
   return Question{v, &light, point->point, sample->chord, u};
 }
 
+// The samples of receivers where rays from `make_ray` arrive.
+template <class F>
+std::vector<Question> ask_all(const Scene& scene, TestRandom& random, const F& make_ray) {
+  std::vector<Question> questions;
+  while (questions.size() < kReceivers * kSamples) {
+    const Ray ray = make_ray();
+    const std::optional<Hit> hit = scene.geometry().closest_hit(ray);
+    if (!hit) continue;
+    const Vertex v = scene.vertex(ray, *hit);
+    for (int i = 0; i < kSamples; ++i)
+      if (const auto question = ask(scene, v, random)) questions.push_back(*question);
+  }
+  return questions;
+}
+
+// In random order, as after a bounce.
+std::vector<Question> scattered(std::vector<Question> questions, TestRandom& random) {
+  for (std::size_t i = questions.size(); i > 1; --i)
+    std::swap(questions[i - 1], questions[random.bits() % i]);
+  return questions;
+}
+
 struct Cost {
   double ray = 0, segment = 0;               // seconds per query; medians
   double ratio = 0, ratio_low = 0, ratio_high = 0;  // of the queries: median and quartiles
-  double estimate_ratio = 0;  // of whole estimates, line to solid-angle; median
+  double scattered_ratio = 0;  // of the queries in random order; median
+  double estimate_ratio = 0;   // of whole estimates, line to solid-angle; median
   double lit = 0, dark = 0;   // shares of the chords
 };
 
@@ -55,7 +76,9 @@ double time_block(const std::vector<Question>& questions, const F& query) {
   return (thread_seconds() - start) / static_cast<double>(questions.size());
 }
 
-Cost measure_cost(const Scene& scene, const std::vector<Question>& questions) {
+Cost measure_cost(const Scene& scene, const std::vector<Question>& questions,
+                  TestRandom& random) {
+  const std::vector<Question> mixed = scattered(questions, random);
   Visibility visibility(scene);
   const PathSampler sampler(SamplerKind::sobol, 1, 0, 0, 0);
   const DirectMethod& points = *find_direct_method("solid-angle");
@@ -74,15 +97,17 @@ Cost measure_cost(const Scene& scene, const std::vector<Question>& questions) {
     };
   };
   Cost cost;
-  std::vector<double> rays, segments, ratios, estimate_ratios;
+  std::vector<double> rays, segments, ratios, scattered_ratios, estimate_ratios;
   for (int i = -1; i < kRepetitions; ++i) {
     const double r = time_block(questions, ray), s = time_block(questions, segment);
     const double p = time_block(questions, estimate(points));
     const double l = time_block(questions, estimate(lines));
+    const double mr = time_block(mixed, ray), ms = time_block(mixed, segment);
     if (i < 0) continue;  // the caches are warm now
     rays.push_back(r);
     segments.push_back(s);
     ratios.push_back(s / r);
+    scattered_ratios.push_back(ms / mr);
     estimate_ratios.push_back(l / p);
   }
   for (const Question& q : questions) {
@@ -97,6 +122,7 @@ Cost measure_cost(const Scene& scene, const std::vector<Question>& questions) {
   cost.ratio = median(ratios);
   cost.ratio_low = quantile(ratios, 0.25);
   cost.ratio_high = quantile(ratios, 0.75);
+  cost.scattered_ratio = median(scattered_ratios);
   cost.estimate_ratio = median(estimate_ratios);
   return cost;
 }
@@ -113,23 +139,25 @@ std::string winning_samples(double cost) {
   for (std::size_t i = 1; i < std::size(kBreakEven); ++i) {
     const auto [n0, p0] = kBreakEven[i - 1];
     const auto [n1, p1] = kBreakEven[i];
-    if (cost <= p1) return fmt::format("{:.0f}", std::ceil(n0 + (n1 - n0) * (cost - p0) / (p1 - p0)));
+    if (cost > p1) continue;
+    return fmt::format("{:.0f}", std::ceil(n0 + (n1 - n0) * (cost - p0) / (p1 - p0)));
   }
   return "more than 64";
 }
 
 void print_row(StudyReport& report, const std::string& name, const Cost& c) {
-  report.print("| {} | {:.0f} | {:.0f} | {:.1f} ({:.1f} ... {:.1f}) | {:.1f} | {:.0f} / {:.0f} / "
-               "{:.0f} | {} |\n",
+  report.print("| {} | {:.0f} | {:.0f} | {:.1f} ({:.1f} ... {:.1f}) | {:.1f} | {:.1f} | "
+               "{:.0f} / {:.0f} / {:.0f} | {} |\n",
                name, c.ray * 1e9, c.segment * 1e9, c.ratio, c.ratio_low, c.ratio_high,
-               c.estimate_ratio, 100 * c.lit, 100 * (1 - c.lit - c.dark), 100 * c.dark,
-               winning_samples(c.estimate_ratio));
+               c.scattered_ratio, c.estimate_ratio, 100 * c.lit, 100 * (1 - c.lit - c.dark),
+               100 * c.dark, winning_samples(c.estimate_ratio));
 }
 
 void print_head(StudyReport& report, const char* first) {
   report.print(
-      "| {} | ray, ns | segment, ns | segment / ray (quartiles) | estimate, line / solid-angle | "
-      "chords lit / partly / dark, % | line wins from N |\n|---|---|---|---|---|---|---|\n",
+      "| {} | ray, ns | segment, ns | segment / ray (quartiles) | the same, scattered | "
+      "estimate, line / solid-angle | chords lit / partly / dark, % | line wins from N |\n"
+      "|---|---|---|---|---|---|---|---|\n",
       first);
 }
 
@@ -140,13 +168,11 @@ Cost scene_cost(const std::string& name) {
   const Scene scene(std::move(file.scene), 1);
   const Camera camera(scene.camera(), 1024, 1024);
   TestRandom random(3);
-  std::vector<Question> questions;
-  while (questions.size() < kReceivers) {
+  const auto questions = ask_all(scene, random, [&] {
     const float x = random.between(0.0f, 1024.0f);
-    if (const auto q = ask(scene, camera.ray(x, random.between(0.0f, 1024.0f)), random))
-      questions.push_back(*q);
-  }
-  return measure_cost(scene, questions);
+    return camera.ray(x, random.between(0.0f, 1024.0f));
+  });
+  return measure_cost(scene, questions, random);
 }
 
 // A wavy sheet of 2 k^2 triangles over [-size, size]^2 at height 1.5.
@@ -180,24 +206,23 @@ Cost sheet_cost(std::uint32_t k) {
   maker.description.meshes.push_back(wavy_sheet(k, 0.7f, grey));
   const Scene scene = maker.build();
   TestRandom random(4);
-  std::vector<Question> questions;
-  while (questions.size() < kReceivers) {
+  const auto questions = ask_all(scene, random, [&] {
     const float x = random.between(-1.8f, 1.8f);
-    const Ray down{Vec3(x, random.between(-1.8f, 1.8f), 0.05f), Vec3(0.0f, 0.0f, -1.0f)};
-    if (const auto q = ask(scene, down, random)) questions.push_back(*q);
-  }
-  return measure_cost(scene, questions);
+    return Ray{Vec3(x, random.between(-1.8f, 1.8f), 0.05f), Vec3(0.0f, 0.0f, -1.0f)};
+  });
+  return measure_cost(scene, questions, random);
 }
 
 void run(StudyReport& report) {
   report.print(
       "# Cost of a chord's exact visibility\n\n"
       "One segment query over a full random chord against one shadow ray to a random point of the "
-      "light, from the same {} random visible points, in turn; medians of {} repetitions on one "
-      "thread. Ratios are of neighbouring blocks. \"Estimate\" is the whole direct-light estimate. "
+      "light, from the same {} random visible points, {} each, in blocks by turns; medians of {} "
+      "repetitions on one thread. Ratios are of neighbouring blocks. \"Scattered\": the queries in "
+      "random order. \"Estimate\" is the whole direct-light estimate. "
       "The last column compares it to the break-even costs of a rectangular light in penumbra: "
       "1.6, 3.9, 13.5 and 48 points at 1, 4, 16 and 64 samples.\n\n",
-      kReceivers, kRepetitions);
+      kReceivers, kSamples, kRepetitions);
   print_head(report, "scene");
   for (const char* name : {"cornell", "teapot_metal", "glossy"})
     print_row(report, name, scene_cost(name));
@@ -205,20 +230,20 @@ void run(StudyReport& report) {
                "receivers and the light.\n\n");
   print_head(report, "triangles");
   std::vector<double> triangles, rays, segments;
-  std::string csv = "triangles;ray;segment;ratio;estimate_ratio\n";
+  std::string csv = "triangles;ray;segment;ratio;estimate_ratio;scattered_ratio\n";
   for (const std::uint32_t k : {7u, 22u, 71u, 224u, 707u}) {
     const Cost c = sheet_cost(k);
     triangles.push_back(2.0 * k * k);
     rays.push_back(c.ray);
     segments.push_back(c.segment);
     print_row(report, std::to_string(2 * k * k), c);
-    csv += fmt::format("{};{:.1f};{:.1f};{:.3f};{:.3f}\n", 2 * k * k, c.ray * 1e9, c.segment * 1e9,
-                       c.ratio, c.estimate_ratio);
+    csv += fmt::format("{};{:.1f};{:.1f};{:.3f};{:.3f};{:.3f}\n", 2 * k * k, c.ray * 1e9,
+                       c.segment * 1e9, c.ratio, c.estimate_ratio, c.scattered_ratio);
   }
   const PowerLaw ray_law = fit_power_law(triangles, rays);
   const PowerLaw segment_law = fit_power_law(triangles, segments);
-  report.print("\nTime grows with the triangles to the power {:.2f} ± {:.2f} (segment) and {:.2f} ± "
-               "{:.2f} (ray).\n",
+  report.print("\nTime grows with the triangles to the power {:.2f} ± {:.2f} (segment) and {:.2f} "
+               "± {:.2f} (ray).\n",
                segment_law.exponent, segment_law.error, ray_law.exponent, ray_law.error);
   report.write_csv("sheet", csv);
   report.write_text();

@@ -9,8 +9,8 @@ set xtics (4, 16, 64, 256, 1024)
 set grid lc rgb "#dddddd"
 set key bottom left font ",9" samplen 2
 files = "oblique across along lit near grazing"
-titles = "'penumbra, edge oblique' 'penumbra, edge across chords 0' 'penumbra, edge along chords 0' \
-'fully lit' 'near the light' 'grazing'"
+titles = "'penumbra, edge oblique' 'penumbra, edge across chords 0' \
+'penumbra, edge along chords 0' 'fully lit' 'near the light' 'grazing'"
 colors = "#999999 #e69f00 #d55e00 #56b4e9 #000000 #e69f00 #009e73 #cc79a7"
 do for [output in "png svg"] {
   if (output eq "png") { set terminal pngcairo size 1500,950 font "sans,11" }

@@ -18,8 +18,8 @@
 
 namespace raytracing {
 
-/// The text of a study. It goes to the standard output and, when the program is given a folder, into
-/// <folder>/<name>.md; tables go beside it.
+/// The text of a study. It goes to the standard output and, when the program is given a folder,
+/// into <folder>/<name>.md; tables go beside it.
 class StudyReport {
  public:
   StudyReport(int argc, char** argv, std::string name)
