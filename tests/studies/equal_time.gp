@@ -5,7 +5,7 @@ set format y "10^{%L}"
 set xlabel "processor seconds for the picture"
 set ylabel "relMSE in penumbrae"
 set grid lc rgb "#dddddd"
-set key bottom left samplen 2
+set key top right samplen 2
 colors = "#e69f00 #d55e00 #56b4e9 #000000 #d55e00 #d55e00 #000000 #000000 #009e73"
 do for [output in "png svg"] {
   if (output eq "png") { set terminal pngcairo size 1300,560 font "sans,11" }
