@@ -240,11 +240,12 @@ void run(StudyReport& report) {
   const Reference reference = make_reference(scene, camera, pixels);
   report.print(
       "# Equal time in penumbrae\n\n"
-      "cornell at {0} x {0}, direct light only, sampler sobol. relMSE over {1} of the {2} penumbra "
-      "pixels that show one flat surface, {3} seeds each. Reference: two halves of line at {4} "
-      "spp; its own relMSE, {5:.1e}, is subtracted. Time: processor time of all threads for the "
-      "whole picture; median of {6} renders of {7} spp, the methods in turn, times the samples. Names "
-      "with a comma are experiments that render() does not offer, at the time of their method.\n\n",
+      "cornell at {0} x {0}, direct light only, sampler sobol. relMSE over {1} of the {2} "
+      "penumbra pixels that show one flat surface, {3} seeds each. Reference: two halves of "
+      "line at {4} spp; its own relMSE, {5:.1e}, is subtracted. Time: processor time of all "
+      "threads for the whole picture; median of {6} renders of {7} spp, the methods in turn, "
+      "times the samples. Names with a comma are experiments that render() does not offer, at "
+      "the time of their method.\n\n",
       kSize, pixels.size(), in_mask, kSeeds, kReferenceSpp, reference.floor, kTimings, kTimedSpp);
   report.print("| method | time of one spp / point's | relMSE at 16 | 64 | 256 | last | exponent | "
                "s to 1e-5 | s to 1e-6 |\n|---|---|---|---|---|---|---|---|---|\n");
