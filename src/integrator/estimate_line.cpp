@@ -7,16 +7,6 @@
 namespace raytracing {
 namespace {
 
-// Two chord directions share the samples, half each: where shadow edges run along the chords of
-// one, they cross those of the other. Halving the first number keeps each half stratified.
-struct DirectedNumber {
-  int direction;
-  float u;
-};
-DirectedNumber choose_direction(float u) {
-  return u < 0.5f ? DirectedNumber{0, 2 * u} : DirectedNumber{1, 2 * u - 1};
-}
-
 // Exact for a diffuse surface: the reflected radiance of all visible parts.
 Rgb closed_form(const DirectQuery& query, const ChordSample& sample, const SeenChord& seen,
                 std::span<const Interval> parts) {
@@ -51,8 +41,10 @@ Rgb one_point(const DirectQuery& query, const ChordSample& sample,
 // weights that sum to one at each point of the light keep the sum unbiased.
 Rgb estimate_line(const DirectQuery& query, Visibility& visibility) {
   const Vertex& v = query.vertex;
-  const auto [direction, u] = choose_direction(query.u.x);
-  const auto sample = sample_chord(query.light, v.position, direction, u);
+  // Where shadow edges run along the chords of one direction, they cross those of the other. Fixed
+  // for all samples of a pixel, so that these stay stratified; neighbouring pixels share the risk.
+  const int direction = query.sampler.coin_of_pixel(query.pair) ? 1 : 0;
+  const auto sample = sample_chord(query.light, v.position, direction, query.u.x);
   if (!sample) return Rgb(0.0f);
   const SeenChord seen(sample->chord, v.position, query.light.normal);
   const Interval above =

@@ -11,6 +11,7 @@ constexpr std::uint32_t kShuffle = 0x9e3779b9u;
 constexpr std::uint32_t kScrambleX = 0x85ebca6bu;
 constexpr std::uint32_t kScrambleY = 0xc2b2ae35u;
 constexpr std::uint32_t kJoint = 0x165667b1u;
+constexpr std::uint32_t kCoin = 0xd3a2646cu;
 constexpr std::uint32_t kExtra = 0x27d4eb2fu;
 
 }  // namespace
@@ -76,6 +77,10 @@ void PathSampler::join_first_pairs() {
   y_[0] = numbers[1];
   x_[1] = numbers[2];
   y_[1] = numbers[3];
+}
+
+bool PathSampler::coin_of_pixel(std::uint32_t index) const {
+  return mix_bits((key_[1] ^ kCoin) + index * kExtra) >> 31;
 }
 
 float PathSampler::extra(std::uint32_t index, std::uint32_t i) const {

@@ -39,6 +39,10 @@ class PathSampler {
   /// numbers than a pair, without moving the dimensions of all that follows.
   float extra(std::uint32_t index, std::uint32_t i) const;
 
+  /// A fair coin that belongs to pair `index`: the same for all samples of a pixel (sobol), or
+  /// another for each (independent).
+  bool coin_of_pixel(std::uint32_t index) const;
+
  private:
   static constexpr std::uint32_t kBatch = 16;
   void make_batch(std::uint32_t index);
