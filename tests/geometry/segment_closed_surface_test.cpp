@@ -8,7 +8,7 @@
 namespace raytracing {
 namespace {
 
-constexpr double kAllowed = 16;  // float spacings of the largest coordinate
+constexpr double kAllowed = 32;  // float spacings of the largest coordinate
 
 std::array<Vec3, 3> random_axes(TestRandom& random) {
   const Frame frame = Frame::around(random.direction());
@@ -90,7 +90,8 @@ TEST(SegmentVisibility, FlatNetsHideEverything) {
       const IntervalSet part = visible(tree, {p, a, across});
       ASSERT_EQ(part.intervals().size(), 1u) << round;
       ASSERT_EQ(part.hull().end, 1.0f) << round;
-      ASSERT_LE(worst_error(scene, {p, a, across}, part), kAllowed) << round;
+      // Points may lie close to the segment's line here: its plane is known less well.
+      ASSERT_LE(worst_error(scene, {p, a, across}, part), 4 * kAllowed) << round;
     }
   }
 }
