@@ -85,7 +85,7 @@ TEST(SegmentVisibility, EqualsALoopForFarShortSegments) {
         worst = std::max(worst, error_of(scene, tree, {p, at, along}));
       }
     }
-    // At 1e4 one query in a thousand was wrong by up to half a segment's length; not explained yet.
+    // At 1e4 the worst query was off by about a third of the segment's length: not explained yet.
     EXPECT_LE(worst, ratio > 1e3f ? 1000 : kAllowed) << ratio;
   }
 }
