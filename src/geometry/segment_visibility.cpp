@@ -36,8 +36,8 @@ Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
   return result;
 }
 
-// Eight points of the query's plane, in its two coordinates. Their sum is kept besides, 0 at p and 1
-// on the segment: for a short far segment alpha and beta are large and cancel in it.
+// Eight points of the query's plane, in its two coordinates. Their sum is kept besides, 0 at p and
+// 1 on the segment: for a short far segment alpha and beta are large and cancel in it.
 struct PlanePoints {
   Lanes alpha, beta, depth;
   Lanes t() const { return beta / (alpha + beta); }  // exactly 0 or 1 after a clip
@@ -71,8 +71,9 @@ struct Corners {
 // Cuts the plane segments from c to d where the function that has these values at their ends is
 // negative; `coordinate`, if any, is that function and becomes exactly 0 at the cut. Returns which
 // segments are gone altogether.
-[[gnu::always_inline]] inline Mask clip(PlanePoints& c, PlanePoints& d, const Lanes& at_c, const Lanes& at_d,
-          Lanes PlanePoints::*coordinate = nullptr) {
+[[gnu::always_inline]] inline Mask clip(PlanePoints& c, PlanePoints& d, const Lanes& at_c,
+                                        const Lanes& at_d,
+                                        Lanes PlanePoints::*coordinate = nullptr) {
   const Mask cut_c = at_c < 0, cut_d = at_d < 0;
   PlanePoints cut = mix(c, d, at_c / (at_c - at_d));
   if (coordinate) cut.*coordinate = 0;
@@ -100,7 +101,8 @@ struct SegmentVisibility::Query {
         std::uint32_t skip)
       : p(from), skipped(skip) {
     const Vec3 to_a = a - p, to_b = to_a + along;
-    const Vec3 normal = cross(to_a, along);  // not to_a x to_b: that cancels for a short far segment
+    // Not to_a x to_b: that cancels for a short far segment.
+    const Vec3 normal = cross(to_a, along);
     const float inverse = 1 / glm::dot(normal, normal);
     rounding = 0x1p-21f * max_coordinate;
     plane = {normal, rounding};

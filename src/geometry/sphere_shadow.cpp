@@ -51,8 +51,9 @@ void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const V
   add_roots(dot(along, along), dot(c, along), dot(c, c) - r2, candidates);
   candidates.values[candidates.size++] = 1;
   const auto t = candidates.values.begin();
-  std::sort(t, t + static_cast<std::ptrdiff_t>(std::min(candidates.size, candidates.values.size())));
-  for (std::size_t i = 0; i + 1 < candidates.size; ++i) {
+  const std::size_t size = std::min(candidates.size, candidates.values.size());
+  std::sort(t, t + static_cast<std::ptrdiff_t>(size));
+  for (std::size_t i = 0; i + 1 < size; ++i) {
     const float middle = 0.5f * (t[i] + t[i + 1]);
     if (hides(sphere, p, a + middle * d)) visible.subtract(t[i], t[i + 1]);
   }

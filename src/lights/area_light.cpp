@@ -67,7 +67,8 @@ AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
   area = static_cast<float>(length(twice_area) / 2);
   normal = Vec3(normalize(twice_area));
   float max_coordinate = 0;
-  for (const Vec3& c : corners) max_coordinate = std::max(max_coordinate, max_component(absolute(c)));
+  for (const Vec3& c : corners)
+    max_coordinate = std::max(max_coordinate, max_component(absolute(c)));
   error = position_error(max_coordinate);
   fan = DiscreteDistribution(fan_areas(corners, normal));
   const Vec3 along = longest_edge(corners);

@@ -9,8 +9,8 @@
 namespace raytracing {
 
 /// One random chord of a light, and the distribution of light points along it. Over all chords the
-/// points are uniform in the solid angle seen from the point for which the chord was chosen, or, for
-/// polygons that are no rectangles and very small or large solid angles, uniform in area. Either
+/// points are uniform in the solid angle seen from the point for which the chord was chosen, or,
+/// for polygons that are no rectangles and very small or large solid angles, uniform in area. Either
 /// density is continuous over the light: a jump would cost the convergence an order.
 struct ChordSample {
   Chord chord;

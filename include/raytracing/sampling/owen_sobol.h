@@ -43,9 +43,10 @@ constexpr std::uint32_t reversed_sobol2(std::uint32_t index) {
 class SobolCoordinate {
  public:
   /// From the primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 and the first `degree`
-  /// direction numbers (Joe & Kuo 2008, eqs. 2 and 3). `a` holds the inner coefficients as bits, a_1
-  /// the highest.
-  constexpr SobolCoordinate(int degree, std::uint32_t a, const std::array<std::uint32_t, 3>& first) {
+  /// direction numbers (Joe & Kuo 2008, eqs. 2 and 3). `a` holds the inner coefficients as bits,
+  /// a_1 the highest.
+  constexpr SobolCoordinate(int degree, std::uint32_t a,
+                            const std::array<std::uint32_t, 3>& first) {
     std::array<std::uint32_t, 32> m{};
     for (int i = 0; i < 32; ++i) {
       if (i < degree) {

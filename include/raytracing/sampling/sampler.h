@@ -10,7 +10,7 @@
 namespace raytracing {
 
 enum class SamplerKind {
-  sobol,        ///< Owen-scrambled Sobol': pairs 0 and 1 jointly in 4D, then padded 2D (Burley 2020)
+  sobol,        ///< Owen-scrambled Sobol' (Burley 2020): pairs 0 and 1 in 4D, the rest 2D
   independent,  ///< pseudo-random numbers
 };
 
