@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
 
@@ -38,10 +39,9 @@ std::string quoted(std::string_view argument) {
 
 int dispatch(int argc, char** argv) {
   Arguments arguments;
-  for (int i = 0; i < argc; ++i) {
-    if (i > 0) arguments.command_line += ' ';
-    arguments.command_line += quoted(argv[i]);
-  }
+  // Where the program lies on this machine is of no use to whom the picture reaches.
+  arguments.command_line = quoted(std::filesystem::path(argv[0]).filename().string());
+  for (int i = 1; i < argc; ++i) arguments.command_line += ' ' + quoted(argv[i]);
   arguments.values.assign(argv + 1, argv + argc);
   const Command* chosen = &kCommands.front();
   for (const Command& command : kCommands) {
