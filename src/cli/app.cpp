@@ -40,7 +40,8 @@ std::string quoted(std::string_view argument) {
 int dispatch(int argc, char** argv) {
   Arguments arguments;
   // Where the program lies on this machine is of no use to whom the picture reaches.
-  arguments.command_line = quoted(std::filesystem::path(argv[0]).filename().string());
+  const std::string program = std::filesystem::path(argv[0]).filename().string();
+  arguments.command_line = quoted(std::string_view(program));
   for (int i = 1; i < argc; ++i) arguments.command_line += ' ' + quoted(argv[i]);
   arguments.values.assign(argv + 1, argv + argc);
   const Command* chosen = &kCommands.front();

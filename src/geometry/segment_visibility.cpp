@@ -68,6 +68,21 @@ struct Corners {
   return mix(above, below, e_above / (e_above - e_below));
 }
 
+// Whether the planes of eight triangles, with corners given from p, separate p from some of the
+// segment from a to b. What does not hides nothing: the receiver's own face, a few roundings behind
+// p, would else count where the light is far and alpha and beta are known only to such roundings.
+Mask separates(const Lanes (&x)[3], const Lanes (&y)[3], const Lanes (&z)[3], const Vec3& a,
+               const Vec3& b) {
+  const Lanes ux = x[1] - x[0], uy = y[1] - y[0], uz = z[1] - z[0];
+  const Lanes vx = x[2] - x[0], vy = y[2] - y[0], vz = z[2] - z[0];
+  const Lanes nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+  const auto side = [&](const Vec3& q) {
+    return nx * (q.x - x[0]) + (ny * (q.y - y[0]) + nz * (q.z - z[0]));
+  };
+  const Lanes of_p = side(Vec3(0.0f)), of_a = side(a), of_b = side(b);
+  return !((of_p > 0 && of_a > 0 && of_b > 0) || (of_p < 0 && of_a < 0 && of_b < 0));
+}
+
 // Cuts the plane segments from c to d where the function that has these values at their ends is
 // negative; `coordinate`, if any, is that function and becomes exactly 0 at the cut. Returns which
 // segments are gone altogether.
@@ -118,10 +133,10 @@ struct SegmentVisibility::Query {
   void narrow(const Interval& hull) {
     after_begin = {(1 - hull.begin) * beta - hull.begin * alpha, rounding};
     before_end = {hull.end * alpha - (1 - hull.end) * beta, rounding};
-    const Vec3 begin = segment.first + hull.begin * segment.second;
-    const Vec3 end = segment.first + hull.end * segment.second;
-    lower = p + glm::min(Vec3(0.0f), glm::min(begin, end));
-    upper = p + glm::max(Vec3(0.0f), glm::max(begin, end));
+    hull_begin = segment.first + hull.begin * segment.second;
+    hull_end = segment.first + hull.end * segment.second;
+    lower = p + glm::min(Vec3(0.0f), glm::min(hull_begin, hull_end));
+    upper = p + glm::max(Vec3(0.0f), glm::max(hull_begin, hull_end));
   }
 
   Vec3 p;
@@ -131,6 +146,7 @@ struct SegmentVisibility::Query {
   Side after_begin;                // >= 0 for what projects behind the beginning of the hull
   Side before_end;                 // >= 0 for what projects before its end
   std::pair<Vec3, Vec3> segment;   // beginning, from p, and direction
+  Vec3 hull_begin, hull_end;       // from p
   Vec3 lower, upper;               // bounds of p and the hull
   float rounding;
   std::uint32_t skipped;
@@ -200,15 +216,15 @@ unsigned SegmentVisibility::children_met(const Node& node, const Query& query) {
 
 void SegmentVisibility::subtract_block(const Block& block, const Query& query,
                                        IntervalSet& visible) {
-  Lanes alpha[3], beta[3], depth[3], e[3];
+  Lanes x[3], y[3], z[3], alpha[3], beta[3], depth[3], e[3];
   for (int corner = 0; corner < 3; ++corner) {
-    const Lanes x = load(block.corners[corner][0]) - query.p.x;
-    const Lanes y = load(block.corners[corner][1]) - query.p.y;
-    const Lanes z = load(block.corners[corner][2]) - query.p.z;
-    alpha[corner] = dot(query.alpha, x, y, z);
-    beta[corner] = dot(query.beta, x, y, z);
-    depth[corner] = dot(query.depth.n, x, y, z);
-    e[corner] = dot(query.plane.n, x, y, z);
+    x[corner] = load(block.corners[corner][0]) - query.p.x;
+    y[corner] = load(block.corners[corner][1]) - query.p.y;
+    z[corner] = load(block.corners[corner][2]) - query.p.z;
+    alpha[corner] = dot(query.alpha, x[corner], y[corner], z[corner]);
+    beta[corner] = dot(query.beta, x[corner], y[corner], z[corner]);
+    depth[corner] = dot(query.depth.n, x[corner], y[corner], z[corner]);
+    e[corner] = dot(query.plane.n, x[corner], y[corner], z[corner]);
   }
   const Corners corners[3] = {{{alpha[0], beta[0], depth[0]}, e[0]},
                               {{alpha[1], beta[1], depth[1]}, e[1]},
@@ -218,13 +234,16 @@ void SegmentVisibility::subtract_block(const Block& block, const Query& query,
   const Mask inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
                       (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
                       (depth[0] < 1 || depth[1] < 1 || depth[2] < 1);
-  if (simd::none_of(crosses && inside)) return;
+  Mask may_hide = crosses && inside;
+  if (simd::none_of(may_hide)) return;
+  may_hide = may_hide && separates(x, y, z, query.hull_begin, query.hull_end);
+  if (simd::none_of(may_hide)) return;
 
   // Two of the three edges cross the plane.
   const PlanePoints on_12 = crossing(corners[1], corners[2]);
   PlanePoints c = select(above[0] != above[1], crossing(corners[0], corners[1]), on_12);
   PlanePoints d = select(above[2] != above[0], crossing(corners[2], corners[0]), on_12);
-  Mask gone = !(crosses && inside);
+  Mask gone = !may_hide;
   gone = gone || clip(c, d, c.alpha, d.alpha, &PlanePoints::alpha);
   gone = gone || clip(c, d, c.beta, d.beta, &PlanePoints::beta);
   gone = gone || clip(c, d, 1 - c.depth, 1 - d.depth);

@@ -94,7 +94,7 @@ TEST(Outputs, HeadersTellHowThePictureWasMade) {
                            "independent"})
                 .exit_code,
             0);
-  const std::string command = std::string(RAYTRACING_PROGRAM) + " " + kCornell +
+  const std::string command = "Raytracing " + kCornell +
                               " --width=12 --height=8 --spp=2 -o 'it'\\''s.exr' -o x.png --seed 42"
                               " --threads 2 --max-depth 3 --light-sampling line-ratio"
                               " --sampler independent";

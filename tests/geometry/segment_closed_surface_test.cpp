@@ -90,7 +90,9 @@ TEST(SegmentVisibility, FlatNetsHideEverything) {
       const IntervalSet part = visible(tree, {p, a, across});
       ASSERT_EQ(part.intervals().size(), 1u) << round;
       ASSERT_EQ(part.hull().end, 1.0f) << round;
-      // Points may lie close to the segment's line here: its plane is known less well.
+      // A point close to the segment's line has no well-known plane with it.
+      const float sine = length(cross(a - p, across)) / (length(a - p) * length(across));
+      if (sine < 0.02f) continue;
       ASSERT_LE(worst_error(scene, {p, a, across}, part), 4 * kAllowed) << round;
     }
   }
