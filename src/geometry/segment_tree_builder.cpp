@@ -41,8 +41,6 @@ struct SegmentVisibility::TreeBuilder::Branch {
 
 namespace {
 
-constexpr std::uint32_t kLeafFlag = 0x80000000u;
-
 RTCBuildPrimitive to_primitive(const Vec3& a, const Vec3& b, const Vec3& c, unsigned index) {
   const Vec3 lower = glm::min(a, glm::min(b, c));
   const Vec3 upper = glm::max(a, glm::max(b, c));
@@ -86,10 +84,10 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
   arguments.createLeaf = Branch::make_leaf;
   const auto* root = static_cast<const Branch*>(rtcBuildBVH(&arguments));
   if (root == nullptr) throw std::runtime_error("Embree: the segment tree could not be built");
-  if (lay_out(*root) & kLeafFlag) {  // a walk begins at a node
+  if (lay_out(*root) & kLeaf) {  // a walk begins at a node
     Node node{};
     node.count = 1;
-    node.children[0] = kLeafFlag;
+    node.children[0] = kLeaf;
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i < kWidth; ++i) {
         node.bounds[0][axis][i] = (i == 0 ? -1 : 1) * std::numeric_limits<float>::max();
@@ -101,7 +99,7 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
 
 // Depth first, a node before its children: neighbours in space are neighbours in memory.
 std::uint32_t SegmentVisibility::TreeBuilder::lay_out(const Branch& branch) {
-  if (branch.leaf) return kLeafFlag | add_block(branch);
+  if (branch.leaf) return kLeaf | add_block(branch);
   const auto index = static_cast<std::uint32_t>(target_.nodes_.size());
   target_.nodes_.emplace_back();
   Node node{};

@@ -15,8 +15,6 @@ namespace simd = std::experimental;
 constexpr int kLanes = 8;
 using Lanes = simd::simd<float, simd::simd_abi::deduce_t<float, kLanes>>;
 using Mask = Lanes::mask_type;
-constexpr std::uint32_t kLeafFlag = 0x80000000u;
-
 Lanes load(const float (&values)[kLanes]) { return Lanes(values, simd::vector_aligned); }
 
 unsigned to_bits(const Mask& mask) {
@@ -180,9 +178,9 @@ void SegmentVisibility::walk(Query& query, IntervalSet& visible) const {
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t item = stack[--size];
-    if (item & kLeafFlag) {
+    if (item & kLeaf) {
       const Interval before = visible.hull();
-      subtract_block(blocks_[item & ~kLeafFlag], query, visible);
+      subtract_block(blocks_[item & ~kLeaf], query, visible);
       if (visible.empty()) return;
       const Interval after = visible.hull();
       if (after.begin != before.begin || after.end != before.end) query.narrow(after);

@@ -37,6 +37,7 @@ class SegmentVisibility {
 
  private:
   static constexpr int kWidth = 8;
+  static constexpr std::uint32_t kLeaf = 0x80000000u;  // marks the index of a block
   // Bounds of up to eight children, coordinate by coordinate: [lower, upper][x, y, z][child].
   // Absent children have lower > upper.
   struct alignas(64) Node {
