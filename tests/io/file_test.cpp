@@ -16,6 +16,7 @@
 #include <set>
 
 #include "raytracing/io/errors.h"
+#include "support/temp_dir.h"
 
 namespace raytracing {
 namespace {
@@ -25,24 +26,17 @@ namespace fs = std::filesystem;
 // An empty folder for each test.
 class FileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "file_test.XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return temp_ / name; }
   std::string put(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
+    return temp_.write(name, bytes);
   }
   std::size_t entries() const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  fs::path folder_;
+  const TempDir temp_;
+  const fs::path folder_{temp_.path()};
 };
 
 // Root may write anything; this gives its rights up for a while.

@@ -20,8 +20,8 @@ class SeenChord {
   /// from the point and r the distance: the irradiance of a unit of width of the light at unit
   /// radiance. `part` must lie above the horizon of n. Exact up to rounding, a relative 1e-5 in the
   /// worst cases known: the form keeps its digits where the textbook's difference of two
-  /// antiderivatives has none, with the point near the chord's line (Billen & Dutré 2016, section
-  /// 4.2, give the integral).
+  /// antiderivatives has none, with the point near the chord's line (the integral of Billen & Dutré
+  /// 2016).
   float irradiance(const Vec3& n, const Interval& part) const;
 
  private:
