@@ -21,7 +21,7 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
   Visibility visibility(scene);
   PathLog log;
   const Rgb radiance = trace_sample(scene, camera, options, replay.x, replay.y, replay.sample,
-                                    visibility, &log);
+                                    visibility, log);
   std::string out = fmt::format("pixel {},{} sample {} seed {} {} {}\n", replay.x, replay.y,
                                 replay.sample, options.seed, to_string(options.sampler),
                                 options.shade.method->name);

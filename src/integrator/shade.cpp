@@ -60,7 +60,8 @@ Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& 
 }  // namespace
 
 Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler& sampler,
-          Visibility& visibility, PathLog* log) {
+          Visibility& visibility, PathLog& log) {
+  log.steps.clear();
   Rgb radiance(0.0f), throughput(1.0f);
   Bounce bounce{};
   const std::uint32_t max_depth = options.max_depth.value_or(kUnlimited);
@@ -71,14 +72,14 @@ Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler&
     const Rgb emitted =
         throughput * emission(scene, *options.method, v, depth == 0 ? nullptr : &bounce);
     radiance += emitted;
-    if (log) log->steps.push_back({v.position, v.ng, throughput, emitted, Rgb(0), v.light, 0});
+    log.steps.push_back({v.position, v.ng, throughput, emitted, Rgb(0), v.light, 0});
     if (depth == max_depth) break;
 
     const Vec2 choice = sampler.pair(choice_pair(depth));
     const Rgb direct = throughput * direct_light(scene, options, v, light_pair(depth), choice.x,
                                                  sampler, visibility);
     radiance += direct;
-    if (log) log->steps.back().direct = direct;
+    log.steps.back().direct = direct;
 
     const bool counted = options.method->uses_mis(*v.material);
     if (depth + 1 == max_depth && !counted) break;
@@ -94,7 +95,7 @@ Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler&
       if (!(choice.y < survival)) break;
       throughput /= survival;
     }
-    if (log) log->steps.back().survival = survival;
+    log.steps.back().survival = survival;
     bounce = {v.position, sample->pdf_w, counted};
     ray = {v.ray_origin(), wi};
   }

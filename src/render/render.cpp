@@ -92,6 +92,7 @@ class Job {
   struct Share {
     explicit Share(const Scene& scene) : visibility(scene) {}
     Visibility visibility;
+    PathLog log;
     std::uint64_t paths = 0;
     std::uint64_t reported = 0;
     std::uint64_t non_finite = 0;
@@ -117,7 +118,7 @@ class Job {
   Rgb finite_sample(int x, int y, std::uint64_t sample, Share& share) {
     ++share.paths;
     const Rgb radiance =
-        trace_sample(scene_, camera_, options_, x, y, sample, share.visibility);
+        trace_sample(scene_, camera_, options_, x, y, sample, share.visibility, share.log);
     if (is_finite(radiance)) return radiance;
     ++share.non_finite;
     share.named.push_back({x, y, sample});
@@ -173,7 +174,7 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
 [[gnu::noipa]]
 #endif
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
-                 int y, std::uint64_t sample, Visibility& visibility, PathLog* log) {
+                 int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
   PathSampler sampler(options.sampler, options.seed, static_cast<std::uint32_t>(x),
                       static_cast<std::uint32_t>(y), sample);
   const Vec2 jitter = sampler.pair(0);

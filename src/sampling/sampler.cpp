@@ -10,7 +10,6 @@ namespace {
 constexpr std::uint32_t kShuffle = 0x9e3779b9u;
 constexpr std::uint32_t kScrambleX = 0x85ebca6bu;
 constexpr std::uint32_t kScrambleY = 0xc2b2ae35u;
-constexpr std::uint32_t kJoint = 0x165667b1u;
 constexpr std::uint32_t kCoin = 0xd3a2646cu;
 constexpr std::uint32_t kExtra = 0x27d4eb2fu;
 
@@ -50,33 +49,25 @@ void PathSampler::make_batch(std::uint32_t index) {
     }
     return;
   }
+  // The points, bit-reversed, each pair in an order of its own.
+  alignas(64) std::uint32_t points_x[kBatch], points_y[kBatch];
   const std::uint32_t reversed = reversed_sample_;
   for (std::uint32_t i = 0; i < kBatch; ++i) {
+    const std::uint32_t shuffle = mix_bits(key0 + (first + i) * kShuffle);
+    points_x[i] = reverse_bits(scramble_reversed(reversed, shuffle));
+    points_y[i] = reversed_sobol2(points_x[i]);
+  }
+  if (first == 0) {  // pairs 0 and 1 are one point in 4D
+    points_x[1] = kSobol3.reversed(points_x[0]);
+    points_y[1] = kSobol4.reversed(points_x[0]);
+  }
+  for (std::uint32_t i = 0; i < kBatch; ++i) {
     const std::uint32_t d = first + i;
-    const std::uint32_t shuffle = mix_bits(key0 + d * kShuffle);
     const std::uint32_t seed_x = mix_bits(key1 + d * kScrambleX);
     const std::uint32_t seed_y = mix_bits((key0 ^ key1) + d * kScrambleY);
-    const std::uint32_t shuffled = reverse_bits(scramble_reversed(reversed, shuffle));
-    x_[i] = unit_float(reverse_bits(scramble_reversed(shuffled, seed_x)));
-    y_[i] = unit_float(reverse_bits(scramble_reversed(reversed_sobol2(shuffled), seed_y)));
+    x_[i] = unit_float(reverse_bits(scramble_reversed(points_x[i], seed_x)));
+    y_[i] = unit_float(reverse_bits(scramble_reversed(points_y[i], seed_y)));
   }
-  if (first_ == 0) join_first_pairs();
-}
-
-void PathSampler::join_first_pairs() {
-  // Shuffled like the other pairs: sample i of one pixel tells nothing of sample i of another.
-  const std::uint32_t index = reverse_bits(scramble_reversed(reversed_sample_, mix_bits(key_[0])));
-  const std::uint32_t coordinates[4] = {index, reversed_sobol2(index), kSobol3.reversed(index),
-                                        kSobol4.reversed(index)};
-  float numbers[4];
-  for (std::uint32_t i = 0; i < 4; ++i) {
-    const std::uint32_t seed = mix_bits((key_[0] + key_[1]) ^ ((i + 1) * kJoint));
-    numbers[i] = unit_float(reverse_bits(scramble_reversed(coordinates[i], seed)));
-  }
-  x_[0] = numbers[0];
-  y_[0] = numbers[1];
-  x_[1] = numbers[2];
-  y_[1] = numbers[3];
 }
 
 bool PathSampler::coin_of_pixel(std::uint32_t index) const {

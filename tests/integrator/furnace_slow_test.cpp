@@ -42,6 +42,7 @@ std::array<RunningStats, 3> measure(const Scene& scene, const ShadeOptions& opti
                                     const Vec3& direction = Vec3(0.0f)) {
   std::array<RunningStats, 3> stats;
   Visibility visibility(scene);
+  PathLog log;
   TestRandom random(5);
   for (int pixel = 0; pixel < samples / spp; ++pixel) {
     DVec3 sum(0.0);
@@ -49,7 +50,7 @@ std::array<RunningStats, 3> measure(const Scene& scene, const ShadeOptions& opti
       PathSampler sampler(kind, 2, pixel, 0, i);
       const Vec3 d = is_black(direction) ? random.direction() : direction;
       const DVec3 radiance(
-          shade(scene, options, {Vec3(0.1f, 0.2f, -0.1f), d}, sampler, visibility));
+          shade(scene, options, {Vec3(0.1f, 0.2f, -0.1f), d}, sampler, visibility, log));
       if (kind == SamplerKind::independent)
         for (int c = 0; c < 3; ++c) stats[c].add(radiance[c]);
       sum += radiance;

@@ -18,10 +18,11 @@ const Vec3 kX(1.0f, 0.0f, 0.0f), kY(0.0f, 1.0f, 0.0f), kZ(0.0f, 0.0f, 1.0f);
 Rgb sum_of_samples(const Scene& scene, const DirectMethod& method, const Ray& ray,
                    std::optional<std::uint32_t> max_depth = {}) {
   Visibility visibility(scene);
+  PathLog log;
   Rgb sum(0.0f);
   for (int i = 0; i < 500; ++i) {
     PathSampler sampler(SamplerKind::independent, 3, 0, 0, i);
-    sum += shade(scene, {&method, max_depth}, ray, sampler, visibility);
+    sum += shade(scene, {&method, max_depth}, ray, sampler, visibility, log);
   }
   return sum;
 }
@@ -97,9 +98,10 @@ TEST(LightSide, TwoLightsAddUp) {
       for (const int set : {1, 2, 3}) {
         const Scene scene = under_two_lights(material, set);
         Visibility visibility(scene);
+        PathLog log;
         for (int i = 0; i < 100'000; ++i) {
           PathSampler sampler(SamplerKind::independent, set, 0, 0, i);
-          stats[set].add(shade(scene, {&method, 1}, ray, sampler, visibility).x);
+          stats[set].add(shade(scene, {&method, 1}, ray, sampler, visibility, log).x);
         }
       }
       const double error = std::hypot(stats[1].standard_error(), stats[2].standard_error(),

@@ -97,12 +97,12 @@ TEST(Determinism, EachSampleOfEachPixelHasItsOwnNumbers) {
     options.width = options.height = 8;
     const Camera camera(scene.camera(), 8, 8);
     Visibility visibility(scene);
+    PathLog log;
     std::vector<Vec2> places;
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x)
         for (std::uint64_t i = 0; i < 4; ++i) {
-          PathLog log;
-          trace_sample(scene, camera, options, x, y, i, visibility, &log);
+          trace_sample(scene, camera, options, x, y, i, visibility, log);
           ASSERT_FALSE(log.steps.empty());
           const Vec3 p = log.steps[0].position;
           const Vec2 place(4 * (p.x + 1) - static_cast<float>(x),
@@ -123,11 +123,12 @@ TEST(Determinism, TraceSampleIsWhatRenderAdds) {
     const RenderResult result = render_all(scene, options);
     const Camera camera(scene.camera(), options.width, options.height);
     Visibility visibility(scene);
+    PathLog log;
     for (int y = 0; y < options.height; ++y)
       for (int x = 0; x < options.width; ++x) {
         Film::Pixel pixel;
         for (std::uint64_t i = 0; i < options.spp; ++i)
-          pixel.add(trace_sample(scene, camera, options, x, y, i, visibility));
+          pixel.add(trace_sample(scene, camera, options, x, y, i, visibility, log));
         EXPECT_TRUE(same_pixel(pixel, result.film.at(x, y))) << x << ", " << y;
       }
     EXPECT_EQ(visibility.counts().closest, result.rays.closest);
@@ -144,9 +145,10 @@ TEST(Determinism, FewerSamplesAreTheFirstOnesOfMore) {
   options.spp = 50;
   const Camera camera(scene.camera(), options.width, options.height);
   Visibility visibility(scene);
+  PathLog log;
   Film::Pixel pixel;
   for (std::uint64_t i = 0; i < 5; ++i)
-    pixel.add(trace_sample(scene, camera, options, 11, 13, i, visibility));
+    pixel.add(trace_sample(scene, camera, options, 11, 13, i, visibility, log));
   EXPECT_TRUE(same_pixel(pixel, result.film.at(11, 13)));
 }
 
@@ -158,6 +160,7 @@ TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
   const RenderResult whole = render_all(scene, options);
   const Camera camera(scene.camera(), options.width, options.height);
   Visibility visibility(scene);
+  PathLog log;
   for (const int threads : {1, 3}) {
     options.threads = threads;
     std::atomic<bool> stop = false;
@@ -177,7 +180,7 @@ TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
                     pixel.samples == 40);
         Film::Pixel same;
         for (std::uint64_t i = 0; i < pixel.samples; ++i)
-          same.add(trace_sample(scene, camera, options, x, y, i, visibility));
+          same.add(trace_sample(scene, camera, options, x, y, i, visibility, log));
         EXPECT_TRUE(same_pixel(same, pixel));
         paths += pixel.samples;
       }

@@ -72,8 +72,9 @@ class DirectScene {
                std::uint64_t sample) const {
     PathSampler sampler(kind, 1, x, 0, sample);
     Visibility visibility(scene_);
+    PathLog log;
     const ShadeOptions options{&method, 1};
-    return shade(scene_, options, ray_, sampler, visibility).x;
+    return shade(scene_, options, ray_, sampler, visibility, log).x;
   }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace raytracing {
 
-/// What happened along one path, for --replay.
+/// What happened along one path. Kept for reuse by the next one, whose steps replace these.
 struct PathLog {
   struct Step {
     Vec3 position;

@@ -50,8 +50,8 @@ using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t to
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::atomic<bool>& stop, const ProgressCallback& progress);
 
-/// Radiance of one sample of one pixel, as render() would take it.
+/// Radiance of one sample of one pixel, as render() would take it; `log` receives its path.
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
-                 int y, std::uint64_t sample, Visibility& visibility, PathLog* log = nullptr);
+                 int y, std::uint64_t sample, Visibility& visibility, PathLog& log);
 
 }  // namespace raytracing

@@ -46,7 +46,6 @@ class PathSampler {
  private:
   static constexpr std::uint32_t kBatch = 16;
   void make_batch(std::uint32_t index);
-  void join_first_pairs();
 
   SamplerKind kind_;
   std::uint32_t key_[2];           // of pixel and seed (sobol) or of the sample (independent)
