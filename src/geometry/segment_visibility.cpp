@@ -28,7 +28,7 @@ Lanes dot(const Vec3& n, const Lanes& x, const Lanes& y, const Lanes& z) {
   return n.x * x + (n.y * y + n.z * z);
 }
 
-Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
+[[gnu::always_inline]] inline Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
   Lanes result = no;
   simd::where(mask, result) = yes;
   return result;
@@ -41,12 +41,12 @@ struct PlanePoints {
   Lanes t() const { return beta / (alpha + beta); }  // exactly 0 or 1 after a clip
 };
 
-PlanePoints select(const Mask& mask, const PlanePoints& yes, const PlanePoints& no) {
+[[gnu::always_inline]] inline PlanePoints select(const Mask& mask, const PlanePoints& yes, const PlanePoints& no) {
   return {select(mask, yes.alpha, no.alpha), select(mask, yes.beta, no.beta),
           select(mask, yes.depth, no.depth)};
 }
 
-PlanePoints mix(const PlanePoints& a, const PlanePoints& b, const Lanes& s) {
+[[gnu::always_inline]] inline PlanePoints mix(const PlanePoints& a, const PlanePoints& b, const Lanes& s) {
   return {a.alpha + s * (b.alpha - a.alpha), a.beta + s * (b.beta - a.beta),
           a.depth + s * (b.depth - a.depth)};
 }

@@ -8,13 +8,13 @@
 namespace raytracing {
 namespace {
 
-// (x - sin x) / sin^3 x for the angle x with the given sine, and cosine >= 0; by its series in the
+// (x - sin x) / sin^3 x for the angle x in (0, pi) with this sine and cosine; by its series in the
 // square of the sine where the difference would cancel.
-float angle_excess(float angle, float sine) {
+float angle_excess(float sine, float cosine) {
   const float s2 = square(sine);
-  if (angle < 0.35f)
+  if (sine < 0.343f && cosine > 0)
     return 1.0f / 6 + s2 * (3.0f / 40 + s2 * (15.0f / 336 + s2 * (105.0f / 3456)));
-  return (angle - sine) / (sine * s2);
+  return (std::atan2(sine, cosine) - sine) / (sine * s2);
 }
 
 }  // namespace
@@ -52,17 +52,14 @@ float SeenChord::irradiance(const Vec3& n, const Interval& part) const {
   const float length = part.length() * length_;
   const float l0 = std::sqrt(foot_distance2_ + s0 * s0);
   const float l1 = std::sqrt(foot_distance2_ + s1 * s1);
-  const float product = l0 * l1, s01 = s0 * s1;
+  const float product = l0 * l1;
   const float q = length / product;
 
-  const float foot_distance = std::sqrt(foot_distance2_);
-  const float angle = std::atan2(foot_distance * length, foot_distance2_ + s01);
-  // l0 l1 + s0 s1 and l1 - l0, each in the form that does not cancel.
-  const float sum = s01 < 0 ? foot_distance2_ * (foot_distance2_ + s0 * s0 + s1 * s1) /
-                                  (product - s01)
-                            : product + s01;
-  const float difference = (s0 + s1) * length / (l0 + l1);
-  const float e = q * q * q * angle_excess(angle, foot_distance * q) +
+  const float sine = std::sqrt(foot_distance2_) * q;
+  const float cosine = (foot_distance2_ + s0 * s1) / product;
+  const float sum = plus_product_of_roots(foot_distance2_, s0, s1, product);
+  const float difference = (s0 + s1) * length / (l0 + l1);  // l1 - l0, without its cancellation
+  const float e = q * q * q * angle_excess(sine, cosine) +
                   q / product * (difference * difference + length * length) / (2 * sum);
   const float n_foot = dot(n, foot_);
   const float n_middle = n_foot + 0.5f * (s0 + s1) * dot(n, direction_);

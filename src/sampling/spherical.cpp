@@ -31,10 +31,6 @@ Vec2 inner_angle(const EdgePlane& a, const EdgePlane& b) {
   return {-a.cosine * b.cosine, std::sqrt(square(a.sine) + square(a.cosine * b.sine))};
 }
 
-Vec2 complex_product(const Vec2& a, const Vec2& b) {
-  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-}
-
 }  // namespace
 
 SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& from)

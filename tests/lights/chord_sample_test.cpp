@@ -21,17 +21,55 @@ TEST(ChordSample, DensityOfChordsIntegratesToTheArea) {
     for (const Vec3& from : {kNear, kBeside, kFar})
       for (int direction : {0, 1}) {
         const int n = 20000;
-        double sum = 0;
+        double sum = 0, sum_of_whole = 0;
         for (int i = 0; i < n; ++i) {
           const float u = (static_cast<float>(i) + 0.5f) / n;
           const auto sample = sample_chord(light, from, direction, u);
           ASSERT_TRUE(sample);
           ASSERT_GT(sample->pdf_u, 0);
           sum += sample->chord.length / sample->pdf_u / n;
+          const auto whole = sample_whole_chord(light, from, direction, u);
+          ASSERT_TRUE(whole);
+          sum_of_whole += whole->chord.length / whole->pdf_u / n;
         }
         EXPECT_NEAR(sum, light.area, 1e-3 * light.area) << corners.size() << " " << direction;
+        EXPECT_NEAR(sum_of_whole, light.area, 1e-3 * light.area) << corners.size();
       }
   }
+}
+
+// Whole chords move with u as their density says: pdf_u dx/du = 1. From close to the light's plane and
+// edges too.
+TEST(ChordSample, WholeChordsHaveTheDensityTheyPromise) {
+  for (const auto& corners : {kRectangle, kTriangle, kPentagon}) {
+    const AreaLight light(corners, Rgb(1.0f));
+    for (const Vec3& from : {kNear, kBeside, kFar, Vec3(0.7f, 0.4f, 1e-3f), Vec3(-0.01f, 2, 0.05f),
+                             Vec3(2.5f, 0.5f, 0.01f)})
+      for (int direction : {0, 1}) {
+        const Vec3 along = light.chords[direction].at(0.3f)->direction;
+        const Vec3 across = cross(light.normal, along);
+        const auto position = [&](float u) {
+          const auto sample = sample_whole_chord(light, from, direction, u);
+          EXPECT_TRUE(sample);
+          EXPECT_GT(dot(sample->chord.direction, along) * dot(sample->chord.direction, along),
+                    0.9999f);
+          return dot(DVec3(sample->chord.begin), DVec3(across));
+        };
+        const auto pdf = [&](double u) {
+          return sample_whole_chord(light, from, direction, static_cast<float>(u))->pdf_u;
+        };
+        const double h = 0.005;
+        for (double u = 0.025; u < 0.98; u += 0.0475) {
+          const double moved =
+              std::abs(position(static_cast<float>(u + h)) - position(static_cast<float>(u - h)));
+          const double integral = 2 * h * (1 / pdf(u - h) + 4 / pdf(u) + 1 / pdf(u + h)) / 6;
+          EXPECT_NEAR(moved / integral, 1, 0.01) << corners.size() << " " << from.z << " " << u;
+        }
+      }
+  }
+  const AreaLight light(kRectangle, Rgb(1.0f));
+  EXPECT_FALSE(sample_whole_chord(light, Vec3(1, 0.5f, -1), 0, 0.5f));
+  EXPECT_FALSE(sample_whole_chord(light, Vec3(5, 0.5f, 0), 1, 0.5f));
 }
 
 // Near: uniform in solid angle for rectangles. Others, and far ones: uniform in area.

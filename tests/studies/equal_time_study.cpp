@@ -8,7 +8,6 @@
 
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
-#include "raytracing/sampling/hash.h"
 #include "studies/study.h"
 
 namespace raytracing {
@@ -27,20 +26,11 @@ struct Pixel {
   int x, y;
 };
 
-// How a pixel's numbers are used. All but `plain` are experiments: they tell what a change of the
-// sampler or of the chords' direction would bring.
-enum class Use {
-  plain,        // as render() does
-  swapped,      // pair 0 for the light, pair 1 for the pixel
-  padded,       // a pair of its own for the light
-  pixel_chords  // the chords' direction chosen once for each pixel
-};
-
 struct Entry {
   std::string name;
   const char* method;
-  int largest_log;  // of the samples per pixel
-  Use use = Use::plain;
+  int largest_log;      // of the samples per pixel
+  bool padded = false;  // an experiment: the light's numbers from a pair of their own
 };
 
 const std::vector<Entry>& entries() {
@@ -49,11 +39,8 @@ const std::vector<Entry>& entries() {
       {"solid-angle", "solid-angle", 12},
       {"line-rays", "line-rays", 10},
       {"line", "line", 9},
-      {"solid-angle, pairs swapped", "solid-angle", 10, Use::swapped},
-      {"solid-angle, padded", "solid-angle", 10, Use::padded},
-      {"line, pairs swapped", "line", 9, Use::swapped},
-      {"line, padded", "line", 9, Use::padded},
-      {"line, direction by pixel", "line", 9, Use::pixel_chords},
+      {"solid-angle, padded", "solid-angle", 10, true},
+      {"line, padded", "line", 9, true},
   };
   return all;
 }
@@ -86,26 +73,21 @@ bool is_penumbra(const Scene& scene, const Camera& camera, const Pixel& pixel) {
   return seen > 1 && seen < kSide * kSide - 1;
 }
 
-// One sample: what render() takes for direct light alone, with the pairs as `use` says.
+// One sample: what render() takes for direct light alone.
 DVec3 take_sample(const Scene& scene, const Camera& camera, const Entry& entry, const Pixel& pixel,
                   std::uint64_t seed, std::uint64_t index, Visibility& visibility) {
   const DirectMethod& method = *find_direct_method(entry.method);
-  const auto x = static_cast<std::uint32_t>(pixel.x), y = static_cast<std::uint32_t>(pixel.y);
-  PathSampler sampler(SamplerKind::sobol, seed, x, y, index);
-  const bool swapped = entry.use == Use::swapped;
-  const std::uint32_t light_pair = swapped ? 0 : entry.use == Use::padded ? 4 : 1;
-  const Vec2 jitter = sampler.pair(swapped ? 1 : 0);
+  PathSampler sampler(SamplerKind::sobol, seed, static_cast<std::uint32_t>(pixel.x),
+                      static_cast<std::uint32_t>(pixel.y), index);
+  const std::uint32_t light_pair = entry.padded ? 4 : 1;
+  const Vec2 jitter = sampler.pair(0);
   const Ray ray =
       camera.ray(static_cast<float>(pixel.x) + jitter.x, static_cast<float>(pixel.y) + jitter.y);
   const std::optional<Hit> hit = visibility.closest_hit(ray);
   if (!hit) return DVec3(0.0);
   const Vertex v = scene.vertex(ray, *hit);
-  Vec2 u = sampler.pair(light_pair);
-  if (entry.use == Use::pixel_chords) {
-    const bool second = mix_bits(x * 73856093u ^ y * 19349663u ^ std::uint32_t(seed)) & 1;
-    u.x = 0.5f * (u.x + (second ? 1.0f : 0.0f));
-  }
-  const DirectQuery query{v, scene.lights()[0], 1.0f, u, sampler, light_pair, 4};
+  const DirectQuery query{v, scene.lights()[0], 1.0f, sampler.pair(light_pair), sampler,
+                          light_pair, 4};
   return DVec3(method.estimate(query, visibility));
 }
 
@@ -244,8 +226,8 @@ void run(StudyReport& report) {
       "penumbra pixels that show one flat surface, {3} seeds each. Reference: two halves of "
       "line at {4} spp; its own relMSE, {5:.1e}, is subtracted. Time: processor time of all "
       "threads for the whole picture; median of {6} renders of {7} spp, the methods in turn, "
-      "times the samples. Names with a comma are experiments that render() does not offer, at "
-      "the time of their method.\n\n",
+      "times the samples. \"Padded\" is an experiment that render() does not offer: pixel and light "
+      "by separate 2D pairs, at the time of the method.\n\n",
       kSize, pixels.size(), in_mask, kSeeds, kReferenceSpp, reference.floor, kTimings, kTimedSpp);
   report.print("| method | time of one spp / point's | relMSE at 16 | 64 | 256 | last | exponent | "
                "s to 1e-5 | s to 1e-6 |\n|---|---|---|---|---|---|---|---|---|\n");

@@ -8,10 +8,23 @@
 
 namespace raytracing {
 
+/// One random chord of a light, for estimators that integrate along it.
+struct WeightedChord {
+  Chord chord;
+  float pdf_u;  ///< density of the chord per unit of length across the chords
+};
+
+/// Chooses a chord by the uniform number u in [0,1). The chords run along the light's longest edge
+/// (`direction` = 0) or across it (1). Of a rectangle the density is, within a factor of 2, uniform in
+/// the angle that `from` sees across the chords' lines, of other polygons in area; it is continuous
+/// over the light, since a jump would cost the convergence an order. Nothing when `from` does not
+/// see the emitting side, or where rounding leaves no chord.
+std::optional<WeightedChord> sample_whole_chord(const AreaLight& light, const Vec3& from,
+                                                int direction, float u);
+
 /// One random chord of a light, and the distribution of light points along it. Over all chords the
 /// points are uniform in the solid angle seen from the point for which the chord was chosen, or,
-/// for polygons that are no rectangles and very small or large solid angles, uniform in area. Either
-/// density is continuous over the light: a jump would cost the convergence an order.
+/// for polygons that are no rectangles and very small or large solid angles, uniform in area.
 struct ChordSample {
   Chord chord;
   float pdf_u;        ///< density of the chord per unit of length across the chords
@@ -32,9 +45,7 @@ struct ChordSample {
   float measure(float t) const;
 };
 
-/// Chooses a chord by the uniform number u in [0,1). The chords run along the light's longest edge
-/// (`direction` = 0) or across it (1). Nothing when `from` does not see the emitting side, or where
-/// rounding leaves no chord.
+/// As sample_whole_chord, for estimators that take a point of the chord.
 std::optional<ChordSample> sample_chord(const AreaLight& light, const Vec3& from, int direction,
                                         float u);
 
