@@ -187,9 +187,20 @@ void SegmentVisibility::walk(Query& query, IntervalSet& visible) const {
       continue;
     }
     const Node& node = nodes_[item];
-    for (unsigned met = children_met(node, query); met != 0; met &= met - 1)
-      stack[size++] = node.children[std::countr_zero(met)];
+    for (unsigned met = children_met(node, query); met != 0; met &= met - 1) {
+      const std::uint32_t child = node.children[std::countr_zero(met)];
+      prefetch(child);
+      stack[size++] = child;
+    }
   }
+}
+
+// Asks memory for an item that will be visited soon: large trees live outside the caches.
+void SegmentVisibility::prefetch(std::uint32_t item) const {
+  const char* memory = item & kLeaf ? reinterpret_cast<const char*>(&blocks_[item & ~kLeaf])
+                                    : reinterpret_cast<const char*>(&nodes_[item]);
+  const std::size_t size = item & kLeaf ? sizeof(Block) : sizeof(Node);
+  for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(memory + line);
 }
 
 unsigned SegmentVisibility::children_met(const Node& node, const Query& query) {

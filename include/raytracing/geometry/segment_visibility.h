@@ -54,6 +54,7 @@ class SegmentVisibility {
   class TreeBuilder;
 
   void walk(Query& query, IntervalSet& visible) const;
+  void prefetch(std::uint32_t item) const;
   static unsigned children_met(const Node& node, const Query& query);
   static void subtract_block(const Block& block, const Query& query, IntervalSet& visible);
 
