@@ -72,7 +72,7 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
   arguments.maxBranchingFactor = kWidth;
   arguments.sahBlockSize = kWidth;
-  arguments.minLeafSize = 1;
+  arguments.minLeafSize = kWidth;  // full blocks: fewer nodes cost less than fewer triangles
   arguments.maxLeafSize = kWidth;
   arguments.bvh = bvh.get();
   arguments.primitives = primitives.data();
