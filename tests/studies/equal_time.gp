@@ -6,21 +6,15 @@ set xlabel "processor seconds for the picture"
 set ylabel "relMSE in penumbrae"
 set grid lc rgb "#dddddd"
 set key top right samplen 2
-colors = "#e69f00 #d55e00 #56b4e9 #000000 #d55e00 #d55e00 #000000 #000000 #009e73"
+colors = "#e69f00 #d55e00 #56b4e9 #000000 #d55e00 #000000"
 do for [output in "png svg"] {
-  if (output eq "png") { set terminal pngcairo size 1300,560 font "sans,11" }
-  if (output eq "svg") { set terminal svg size 1300,560 font "sans,11" background rgb "white" }
+  if (output eq "png") { set terminal pngcairo size 800,560 font "sans,11" }
+  if (output eq "svg") { set terminal svg size 800,560 font "sans,11" background rgb "white" }
   set output "equal_time." . output
-  set multiplot layout 1,2
-  set title "methods"
   plot for [i = 0:3] "equal_time_curves.csv" index i using 1:2 with linespoints pt 7 ps 0.6 \
          lw (i == 3 ? 2.5 : 1.5) lc rgb word(colors, i + 1) title columnheader(1), \
-       1e-5 with lines dt 3 lc rgb "#999999" notitle, 1e-6 with lines dt 3 lc rgb "#999999" notitle
-  set title "experiments"
-  plot for [i in "1 3"] "equal_time_curves.csv" index (i + 0) using 1:2 with lines lw 2 \
+       for [i = 4:5] "equal_time_curves.csv" index i using 1:2 with lines dt 2 \
          lc rgb word(colors, i + 1) title columnheader(1), \
-       for [i = 4:8] "equal_time_curves.csv" index i using 1:2 with linespoints pt i ps 0.7 dt 2 \
-         lc rgb word(colors, i + 1) title columnheader(1)
-  unset multiplot
+       1e-5 with lines dt 3 lc rgb "#999999" notitle, 1e-6 with lines dt 3 lc rgb "#999999" notitle
   unset output
 }
