@@ -95,8 +95,6 @@ Mask separates(const Lanes (&x)[3], const Lanes (&y)[3], const Lanes (&z)[3], co
   return cut_c && cut_d;
 }
 
-}  // namespace
-
 // A linear function n . (x - p) of a point x, and how far rounding may put it off.
 struct Side {
   Side() = default;
@@ -107,6 +105,8 @@ struct Side {
   Vec3 n{0.0f};
   float tolerance = 0;
 };
+
+}  // namespace
 
 // The query's plane and the functions that bound what can hide the segment.
 struct SegmentVisibility::Query {

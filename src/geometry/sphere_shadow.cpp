@@ -1,19 +1,21 @@
 #include "sphere_shadow.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace raytracing {
 namespace {
 
-// Parameters in (0,1) at which what is hidden of a segment may begin or end, between 0 and 1.
+// Parameters at which what is hidden of a segment may begin or end, in order: 0, up to four more, 1.
 struct Candidates {
-  std::array<float, 6> values{0};
-  std::size_t size = 1;
+  std::array<float, 6> values{0, 1};
+  std::size_t size = 2;
 
   void add(double t) {
-    if (t > 0 && t < 1) values[size++] = static_cast<float>(t);
+    if (!(t > 0 && t < 1)) return;
+    std::size_t i = size++;
+    for (; values[i - 1] > t; --i) values[i] = values[i - 1];
+    values[i] = static_cast<float>(t);
   }
 };
 
@@ -49,11 +51,8 @@ void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const V
             mw * mw - dot(w, w) * outside, candidates);
   const DVec3 c = m + w;
   add_roots(dot(along, along), dot(c, along), dot(c, c) - r2, candidates);
-  candidates.values[candidates.size++] = 1;
-  const auto t = candidates.values.begin();
-  const std::size_t size = std::min(candidates.size, candidates.values.size());
-  std::sort(t, t + static_cast<std::ptrdiff_t>(size));
-  for (std::size_t i = 0; i + 1 < size; ++i) {
+  const auto& t = candidates.values;
+  for (std::size_t i = 0; i + 1 < candidates.size; ++i) {
     const float middle = 0.5f * (t[i] + t[i + 1]);
     if (hides(sphere, p, a + middle * d)) visible.subtract(t[i], t[i + 1]);
   }
