@@ -18,12 +18,13 @@ namespace {
 
 struct Command {
   std::string_view name;
+  std::string_view summary;
   int (*run)(const Arguments&);
 };
 
 // The first one is what runs when no command is named.
 constexpr std::array kCommands{
-    Command{"render", render_command},
+    Command{"render", "renders a scene to pictures", render_command},
 };
 
 // As a shell would take it again.
@@ -63,6 +64,13 @@ int fail(int code, std::string_view message) {
 }
 
 }  // namespace
+
+std::string subcommands_text() {
+  std::string text = "Subcommands (the first one's name may be left out; each has its own --help):\n";
+  for (const Command& command : kCommands)
+    text += fmt::format("{:<12} {}\n", command.name, command.summary);
+  return text + "\n";
+}
 
 int run(int argc, char** argv) {
   if (!is_optimised())

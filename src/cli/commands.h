@@ -13,6 +13,9 @@ struct Arguments {
   std::string command_line;
 };
 
+/// The table of subcommands, one a line, for the help.
+std::string subcommands_text();
+
 /// Renders a scene to pictures. Returns the exit code; throws UsageError, InputError, OutputError.
 int render_command(const Arguments& arguments);
 

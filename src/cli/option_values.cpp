@@ -24,6 +24,18 @@ std::uint64_t whole_number(std::string_view option, std::string_view text, std::
   return value;
 }
 
+double real_number(std::string_view option, std::string_view text, double low, double high) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument ||
+      text.find_first_not_of("0123456789+-.eE") != std::string_view::npos)
+    throw UsageError(fmt::format("{}: '{}' is not a number", option, text));
+  if (error != std::errc() || value < low || value > high)
+    throw UsageError(fmt::format("{}: {} is not in {} .. {}", option, text, low, high));
+  return value;
+}
+
 void check_name(std::string_view option, const std::string& text,
                 const std::vector<std::string>& names) {
   for (const std::string& name : names)

@@ -12,6 +12,9 @@ namespace raytracing {
 std::uint64_t whole_number(std::string_view option, std::string_view text, std::uint64_t low,
                            std::uint64_t high);
 
+/// A decimal number within [low, high]; neither "inf" nor "nan". Throws UsageError.
+double real_number(std::string_view option, std::string_view text, double low, double high);
+
 /// Throws UsageError, which names the nearest of `names`, unless `text` is one of them.
 void check_name(std::string_view option, const std::string& text,
                 const std::vector<std::string>& names);

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <thread>
-#include <type_traits>
 
 #include "build_info.h"
-#include "option_values.h"
+#include "option_list.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/image_file.h"
-#include "raytracing/io/nearest_name.h"
 
 namespace raytracing {
 namespace {
@@ -21,13 +17,6 @@ constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
 constexpr int kMaxThreads = 1024;
 constexpr int kMaxLineRays = 65536;
 constexpr std::uint64_t kMaxDepth = std::uint64_t{1} << 30;
-constexpr std::size_t kHelpWidth = 68;  // of the descriptions: CLI11 starts them at column 30
-
-// The number behind an optional one.
-template <class Field>
-struct NumberOf : std::type_identity<Field> {};
-template <class Number>
-struct NumberOf<std::optional<Number>> : std::type_identity<Number> {};
 
 std::string methods_text() {
   std::string text;
@@ -52,61 +41,29 @@ RenderArguments::Replay parse_replay(const std::string& text) {
           number(last + 1, text.size(), kMaxSpp - 1)};
 }
 
-// The one list of options: parsing and help both come from it.
-struct OptionList {
-  CLI::App app{"Renders a scene to pictures. The word render may be left out.",
-               "Raytracing [render]"};
+// Fills `a`, and the two switches that ask for texts.
+struct RenderOptionList : OptionList {
   RenderArguments& a;
   bool list_methods = false;
   bool version = false;
 
-  explicit OptionList(RenderArguments& arguments) : a(arguments) {
-    app.set_help_flag("-h,--help", "This text");
+  explicit RenderOptionList(RenderArguments& arguments)
+      : OptionList("Renders a scene to pictures. The word render may be left out.",
+                   "Raytracing [render]"),
+        a(arguments) {
     add_text("--scene,scene", a.scene, "FILE.toml", "Scene file (TOML)");
     add_picture_options();
     add_sampling_options();
     add_report_options();
-  }
-
-  CLI::Option* add_text(const std::string& name, std::string& value, const char* type,
-                        const std::string& description) {
-    return app.add_option(name, value, wrapped(description, kHelpWidth))->type_name(type);
-  }
-
-  // Not CLI11's numbers: it reads 010 as 8, -1 as 2^64 - 1 and what is too large as the largest.
-  template <class Field>
-  void add_number(const std::string& name, Field& value, std::uint64_t low, std::uint64_t high,
-                  const std::string& description) {
-    const auto set = [&value, name, low, high](const std::string& text) {
-      value = static_cast<typename NumberOf<Field>::type>(whole_number(name, text, low, high));
-    };
-    app.add_option_function<std::string>(name, set, wrapped(description, kHelpWidth))
-        ->type_name("N");
-  }
-
-  void add_choice(const std::string& name, const std::vector<std::string>& names,
-                  const std::function<void(const std::string&)>& choose,
-                  const std::string& description) {
-    const auto set = [name, names, choose](const std::string& text) {
-      check_name(name, text, names);
-      choose(text);
-    };
-    app.add_option_function<std::string>(name, set, wrapped(description, kHelpWidth))
-        ->type_name("NAME");
-  }
-
-  void add_switch(const std::string& name, bool& value, const std::string& description) {
-    app.add_flag(name, value, wrapped(description, kHelpWidth))->disable_flag_override();
+    refuse_extra_with([this] { return "one scene file is enough, and it is " + a.scene; });
+    add_footer(subcommands_text());
+    add_footer("Light sampling methods:\n" + methods_text());
   }
 
   void add_picture_options() {
-    app.add_option("-o,--output", a.outputs,
-                   wrapped("Picture to write, .png (sRGB, 8 bit) or .exr (linear, float32); "
-                           "repeatable; default <scene>.png in the working directory",
-                           kHelpWidth))
-        ->type_name("FILE")
-        ->take_all()
-        ->expected(1);
+    add_texts("-o,--output", a.outputs, "FILE",
+              "Picture to write, .png (sRGB, 8 bit) or .exr (linear, float32); repeatable; "
+              "default <scene>.png in the working directory");
     add_number("--width", a.width, 1, kMaxImageSize,
                "Picture width in pixels; default: the scene's");
     add_number("--height", a.height, 1, kMaxImageSize,
@@ -147,67 +104,21 @@ struct OptionList {
     add_switch("--strict", a.strict,
                "Repaired or dropped input is an error (exit code 3), and so are non-finite "
                "samples (exit code 1)");
-    app.add_option_function<std::string>(
-           "--replay", [this](const std::string& text) { a.replay = parse_replay(text); },
-           "Trace only this sample of this pixel and print its vertices")
-        ->type_name("X,Y,SAMPLE");
+    add_parsed("--replay", "X,Y,SAMPLE",
+               [this](const std::string& text) { a.replay = parse_replay(text); },
+               "Trace only this sample of this pixel and print its vertices");
     add_switch("--list-methods", list_methods, "List the values of --light-sampling");
     add_switch("--version", version, "Version, build, instruction set and libraries");
   }
-
-  std::string help() const { return app.help() + "Light sampling methods:\n" + methods_text(); }
-
-  std::vector<std::string> names() const {
-    std::vector<std::string> result;
-    for (const CLI::Option* option : app.get_options())
-      for (const std::string& name : option->get_lnames()) result.push_back("--" + name);
-    return result;
-  }
 };
-
-[[noreturn]] void throw_usage(const std::string& what) {
-  throw UsageError(what + " (--help lists all options)");
-}
-
-[[noreturn]] void throw_not_expected(const OptionList& options, const std::string& argument) {
-  if (!argument.starts_with("-"))
-    throw_usage(fmt::format("{}: one scene file is enough, and it is {}", argument,
-                            options.a.scene));
-  const std::string name = argument.substr(0, argument.find('='));
-  throw_usage(fmt::format("{}: no such option; the nearest is {}", name,
-                          nearest_name(name, options.names())));
-}
-
-// CLI11's texts speak of its own terms, so only the option's name is taken from them.
-[[noreturn]] void throw_mismatch(const std::string& what) {
-  std::string name = what.substr(0, what.find_first_of(": "));
-  if (!name.starts_with("-")) name = "--" + name;
-  if (what.ends_with("missing")) throw_usage(name + ": needs a value");
-  if (what.find("At Most") != std::string::npos) throw_usage(name + ": given more than once");
-  throw_usage(name + ": takes no value");
-}
-
-void parse(OptionList& options, const Arguments& arguments) {
-  try {
-    options.app.parse(std::vector<std::string>(arguments.values.rbegin(), arguments.values.rend()));
-  } catch (const CLI::ExtrasError&) {
-    throw_not_expected(options, options.app.remaining().front());
-  } catch (const CLI::ArgumentMismatch& error) {
-    throw_mismatch(error.what());
-  } catch (const CLI::CallForHelp&) {
-    options.a.text = options.help();
-  } catch (const CLI::ParseError& error) {
-    throw_usage(error.what());
-  }
-}
 
 }  // namespace
 
 RenderArguments parse_render_arguments(const Arguments& arguments) {
   RenderArguments a;
   a.threads = default_threads();
-  OptionList options(a);
-  parse(options, arguments);
+  RenderOptionList options(a);
+  a.text = options.parse(arguments);
   if (a.text) return a;
   if (options.list_methods) a.text = methods_text();
   if (options.version) a.text = version_text();

@@ -53,6 +53,13 @@ TEST(Options, HelpFitsATerminal) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }
 
+TEST(Options, HelpNamesTheSubcommands) {
+  const std::string help = CliFolder().run({"--help"}).out;
+  const std::size_t list = help.find("\nSubcommands ");
+  ASSERT_NE(list, std::string::npos) << help;
+  EXPECT_NE(help.find("\nrender "), std::string::npos) << help;
+}
+
 TEST(Options, EachOneOfTheHelpIsRead) {
   const CliFolder folder;
   for (const std::string& name : options_in(folder.run({"--help"}).out)) {
