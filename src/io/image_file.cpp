@@ -17,8 +17,7 @@ namespace {
 std::array<double, 255> make_code_thresholds() {
   std::array<double, 255> thresholds{};
   for (std::size_t i = 0; i < thresholds.size(); ++i) {
-    const double encoded = (static_cast<double>(i) + 0.5) / 255;
-    thresholds[i] = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+    thresholds[i] = srgb_to_linear((static_cast<double>(i) + 0.5) / 255);
   }
   return thresholds;
 }
@@ -48,6 +47,10 @@ ImageFormat image_format(const std::string& path) {
   if (extension == ".png") return ImageFormat::png;
   if (extension == ".exr") return ImageFormat::exr;
   throw UsageError(path + ": the name of an image must end in .png or .exr");
+}
+
+double srgb_to_linear(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 std::uint8_t srgb8(float linear) {

@@ -17,7 +17,7 @@ std::vector<float> pixels(std::vector<std::string> options) {
   options.insert(options.end(), {"--quiet", "-o", "x.exr"});
   const RunResult run = folder.render(options);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  return read_image(folder.folder / "x.exr").values;
+  return read_with_oiio(folder.folder / "x.exr").values;
 }
 
 double mean(const std::vector<float>& values) {
@@ -29,7 +29,7 @@ double mean(const std::vector<float>& values) {
 TEST(Effects, SizeComesFromTheOptions) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"--width", "7", "--height", "5", "-o", "x.exr"}).exit_code, 0);
-  const ReadImage image = read_image(folder.folder / "x.exr");
+  const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   EXPECT_EQ(image.spec.width, 7);
   EXPECT_EQ(image.spec.height, 5);
 }
@@ -105,10 +105,11 @@ TEST(Effects, VarianceAddsLayers) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"-o", "a.exr"}).exit_code, 0);
   ASSERT_EQ(folder.render({"-o", "b.exr", "-o", "b.png", "--variance"}).exit_code, 0);
-  const ReadImage a = read_image(folder.folder / "a.exr"), b = read_image(folder.folder / "b.exr");
+  const ReadImage a = read_with_oiio(folder.folder / "a.exr");
+  const ReadImage b = read_with_oiio(folder.folder / "b.exr");
   EXPECT_EQ(a.spec.nchannels, 3);
   EXPECT_EQ(b.spec.nchannels, 6);
-  EXPECT_EQ(read_image(folder.folder / "b.png").spec.nchannels, 3);
+  EXPECT_EQ(read_with_oiio(folder.folder / "b.png").spec.nchannels, 3);
   double sum = 0;
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 12; ++x)
@@ -125,8 +126,8 @@ TEST(Effects, VarianceIsThatOfTheTwoSamples) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"-o", "two.exr", "--variance"}).exit_code, 0);
   ASSERT_EQ(folder.render({"-o", "one.exr", "--spp", "1"}).exit_code, 0);
-  const ReadImage two = read_image(folder.folder / "two.exr");
-  const ReadImage one = read_image(folder.folder / "one.exr");
+  const ReadImage two = read_with_oiio(folder.folder / "two.exr");
+  const ReadImage one = read_with_oiio(folder.folder / "one.exr");
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 12; ++x) {
       const double half = double{two.at(x, y, "G")} - one.at(x, y, "G");
@@ -187,7 +188,7 @@ TEST(Effects, ReplayIsTheSampleOfThePicture) {
   std::vector<std::string> rendering = options;
   rendering.insert(rendering.end(), {"-o", "x.exr"});
   ASSERT_EQ(folder.render(rendering).exit_code, 0);
-  const ReadImage image = read_image(folder.folder / "x.exr");
+  const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   int lit = 0;
   for (int x = 3; x < 9; ++x) {
     std::vector<std::string> replay = options;

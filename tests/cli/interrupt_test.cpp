@@ -29,12 +29,12 @@ void expect_partial_picture(const CliFolder& folder, const RunResult& run) {
   EXPECT_NE(run.err.find("stopped early: the picture is incomplete\n"), std::string::npos);
   EXPECT_EQ(run.err.find("\"progress\":1"), std::string::npos) << run.err;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.exr", "x.json", "x.png"}));
-  const ReadImage image = read_image(folder.folder / "x.exr");
+  const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   EXPECT_EQ(image.attribute("complete"), "no, stopped early");
   float brightest = 0;
   for (const float value : image.values) brightest = std::max(brightest, value);
   EXPECT_GT(brightest, 0);
-  EXPECT_EQ(read_image(folder.folder / "x.png").attribute("complete"), "no, stopped early");
+  EXPECT_EQ(read_with_oiio(folder.folder / "x.png").attribute("complete"), "no, stopped early");
   const nlohmann::json stats = folder.json("x.json");
   EXPECT_EQ(stats["complete"], false);
   EXPECT_GT(stats["paths"], 0);
@@ -79,7 +79,7 @@ TEST(Interrupt, AnyMomentLeavesEitherAllOrNothing) {
     if (run.out.empty()) {
       EXPECT_EQ(folder.bytes("x.png"), "the old picture") << i;
     } else {
-      EXPECT_EQ(read_image(folder.folder / "x.png").attribute("complete"), "no, stopped early");
+      EXPECT_EQ(read_with_oiio(folder.folder / "x.png").attribute("complete"), "no, stopped early");
       folder.folder.write("x.png", "the old picture");
     }
   }
@@ -88,7 +88,7 @@ TEST(Interrupt, AnyMomentLeavesEitherAllOrNothing) {
 TEST(Interrupt, ACompletePictureSaysSo) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"-o", "x.exr", "--stats", "x.json"}).exit_code, 0);
-  EXPECT_EQ(read_image(folder.folder / "x.exr").attribute("complete"), "yes");
+  EXPECT_EQ(read_with_oiio(folder.folder / "x.exr").attribute("complete"), "yes");
   EXPECT_EQ(folder.json("x.json")["complete"], true);
 }
 

@@ -18,7 +18,7 @@ TEST(Outputs, DefaultNameIsTheScenesInTheWorkingDirectory) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "cornell.png\n");
   EXPECT_EQ(folder.names(), Names{"cornell.png"});
-  EXPECT_EQ(read_image(folder.folder / "cornell.png").spec.width, 12);
+  EXPECT_EQ(read_with_oiio(folder.folder / "cornell.png").spec.width, 12);
 }
 
 TEST(Outputs, AllAreWrittenAndToldOnStdout) {
@@ -30,7 +30,7 @@ TEST(Outputs, AllAreWrittenAndToldOnStdout) {
   EXPECT_EQ(run.out, "a.exr\nb.PNG\nold.png\n");
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.PNG", "old.png", "s.json"}));
   EXPECT_EQ(folder.bytes("b.PNG").substr(1, 3), "PNG");
-  EXPECT_EQ(read_image(folder.folder / "old.png").spec.width, 12);
+  EXPECT_EQ(read_with_oiio(folder.folder / "old.png").spec.width, 12);
 }
 
 TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
@@ -72,7 +72,7 @@ TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
   EXPECT_EQ(s["segment_queries"], 0);
   EXPECT_GT(s["peak_rss_bytes"], 1e6);
   EXPECT_EQ(s["non_finite_samples"], 0);
-  const ReadImage image = read_image(folder.folder / "x.exr");
+  const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   for (int c = 0; c < 3; ++c) {
     double sum = 0;
     for (std::size_t i = static_cast<std::size_t>(c); i < image.values.size(); i += 3)
@@ -99,7 +99,7 @@ TEST(Outputs, HeadersTellHowThePictureWasMade) {
                               " --threads 2 --max-depth 3 --light-sampling line-ratio"
                               " --sampler independent";
   for (const char* name : {"it's.exr", "x.png"}) {
-    const ReadImage image = read_image(folder.folder / name);
+    const ReadImage image = read_with_oiio(folder.folder / name);
     const auto text = [&](const char* key) { return image.attribute(key); };
     EXPECT_TRUE(text("software").starts_with("Raytracing ") ||
                 text("Software").starts_with("Raytracing "))
@@ -124,7 +124,7 @@ TEST(Outputs, HeadersTellHowThePictureWasMade) {
 TEST(Outputs, TheLargestSeedKeepsItsDigitsInTheHeader) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"-o", "x.exr", "--seed", "18446744073709551615"}).exit_code, 0);
-  const ReadImage image = read_image(folder.folder / "x.exr");
+  const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   EXPECT_EQ(image.attribute("seed"), "18446744073709551615");
   EXPECT_EQ(image.attribute("lightSamplingBiased"), "no");
 }
@@ -138,7 +138,7 @@ TEST(Outputs, TheSceneHashCoversTheModels) {
                         "[film]\nwidth = 2\nheight = 2\n[camera]\norigin = [0,0,1]\n"
                         "target = [0,0,0]\n[[models]]\nobj = 'm.obj'\n");
     EXPECT_EQ(folder.run({"s.toml", "-o", "x.exr"}).exit_code, 0);
-    return read_image(folder.folder / "x.exr").attribute("sceneHash");
+    return read_with_oiio(folder.folder / "x.exr").attribute("sceneHash");
   };
   const std::string first = hash("0.5 0.5 0.5");
   EXPECT_EQ(first, hash("0.5 0.5 0.5"));
@@ -153,7 +153,7 @@ TEST(Outputs, AnEmptySceneIsBlackWithAWarning) {
   const RunResult run = folder.run({"empty.toml", "--quiet", "-o", "x.exr"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err, "warning: the scene has no light; the picture will be black\n");
-  EXPECT_EQ(read_image(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
+  EXPECT_EQ(read_with_oiio(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
 }
 
 TEST(Outputs, ASceneWithoutLightIsBlackWithAWarning) {
@@ -166,7 +166,7 @@ TEST(Outputs, ASceneWithoutLightIsBlackWithAWarning) {
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.err.find("warning: the scene has no light; the picture will be black\n"),
             std::string::npos);
-  EXPECT_EQ(read_image(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
+  EXPECT_EQ(read_with_oiio(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ NoisyPicture render_picture(SceneDescription description, std::string_view metho
 }
 
 NoisyPicture read_reference(const std::string& scene) {
-  const ReadImage image = read_image(reference_path(scene).string());
+  const ReadImage image = read_with_oiio(reference_path(scene).string());
   EXPECT_EQ(image.attribute("sampler"), "independent");
   EXPECT_EQ(image.attribute("complete"), "yes");
   NoisyPicture picture{image.spec.width, image.spec.height, std::stod(image.attribute("spp")), {},

@@ -34,7 +34,7 @@ struct ReadImage {
   }
 };
 
-inline ReadImage read_image(const std::string& path) {
+inline ReadImage read_with_oiio(const std::string& path) {
   const auto input = OIIO::ImageInput::open(path);
   if (!input) throw std::runtime_error(OIIO::geterror());
   ReadImage image{input->spec(), {}};

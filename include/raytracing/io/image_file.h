@@ -30,6 +30,9 @@ ImageFormat image_format(const std::string& path);
 /// go to the nearest end, NaN to 0.
 std::uint8_t srgb8(float linear);
 
+/// The linear value of an sRGB one, both in [0,1] (IEC 61966-2-1).
+double srgb_to_linear(double encoded);
+
 /// The picture as a complete file's bytes. PNG takes the channels R, G, B; EXR all channels as
 /// 32-bit floats, ZIP compressed. Throws OutputError.
 std::string encode_image(const ImageData& image, ImageFormat format);

@@ -1,0 +1,157 @@
+#include <ImfChannelList.h>
+#include <ImfDoubleAttribute.h>
+#include <ImfFloatAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfIntAttribute.h>
+#include <ImfStdIO.h>
+#include <ImfStringAttribute.h>
+#include <ImfTileDescription.h>
+#include <ImfVersion.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <string_view>
+
+#include "image_decoders.h"
+#include "raytracing/io/errors.h"
+
+namespace raytracing {
+namespace {
+
+constexpr std::size_t kMagicAndVersion = 8;
+
+std::uint32_t word_at(const std::string& bytes, std::size_t at) {
+  static_assert(std::endian::native == std::endian::little);
+  std::uint32_t word = 0;
+  std::memcpy(&word, bytes.data() + at, sizeof(word));
+  return word;
+}
+
+// OpenEXR makes room for an attribute's text before it finds out that the file is shorter.
+void check_attribute_sizes(const std::string& bytes) {
+  std::size_t at = kMagicAndVersion;
+  while (at < bytes.size() && bytes[at] != '\0') {
+    for (int text = 0; text < 2; ++text) {  // the attribute's name and type
+      at = bytes.find('\0', at);
+      if (at == std::string::npos) throw InputError("its header is cut off");
+      ++at;
+    }
+    if (bytes.size() - at < 4) throw InputError("its header is cut off");
+    const std::size_t size = word_at(bytes, at);
+    at += 4;
+    if (size > bytes.size() - at) throw InputError("its header is cut off");
+    at += size;
+  }
+}
+
+Imf::Header read_header(const std::string& bytes, Imf::IStream& stream) {
+  if (bytes.size() <= kMagicAndVersion) throw InputError("its header is cut off");
+  auto version = static_cast<int>(word_at(bytes, 4));
+  if (version & Imf::NON_IMAGE_FLAG) throw InputError("deep pictures cannot be read");
+  check_attribute_sizes(bytes);
+  stream.seekg(kMagicAndVersion);
+  Imf::Header header;
+  header.readFrom(stream, version);
+  stream.seekg(0);
+  return header;
+}
+
+// R, G, B and then the others, in the file's order.
+std::vector<std::string> channel_names(const Imf::Header& header) {
+  std::vector<std::string> names = {"R", "G", "B"};
+  std::size_t found = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    const std::string_view name = c.name();
+    if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
+      throw InputError("its channel " + std::string(name) + " is subsampled");
+    const bool colour = name == "R" || name == "G" || name == "B";
+    found += colour;
+    if (!colour) names.emplace_back(name);
+  }
+  if (found != 3) throw InputError("has no channels R, G and B");
+  return names;
+}
+
+void check_sizes(const Imf::Header& header, std::size_t channels) {
+  const auto& window = header.dataWindow();
+  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
+  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
+  check_image_size(width, height, channels);
+  if (!header.hasTileDescription()) return;
+  const auto& tile = header.tileDescription();
+  check_image_size(width, tile.ySize, channels);  // OpenEXR keeps one row of tiles
+  check_image_size(tile.xSize, tile.ySize, channels);
+}
+
+ImageMetadata metadata(const Imf::Header& header) {
+  ImageMetadata result;
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    const Imf::Attribute& value = a.attribute();
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&value))
+      result.emplace_back(a.name(), text->value());
+    else if (const auto* whole = dynamic_cast<const Imf::IntAttribute*>(&value))
+      result.emplace_back(a.name(), std::int64_t{whole->value()});
+    else if (const auto* real = dynamic_cast<const Imf::DoubleAttribute*>(&value))
+      result.emplace_back(a.name(), real->value());
+    else if (const auto* single = dynamic_cast<const Imf::FloatAttribute*>(&value))
+      result.emplace_back(a.name(), double{single->value()});
+  }
+  return result;
+}
+
+// By strips, so that a short file that claims to be large takes no more memory than it fills.
+void read_values(Imf::InputFile& file, ImageData& image) {
+  constexpr int kStrip = 64;
+  const auto& window = file.header().dataWindow();
+  const std::size_t pixel_values = image.channels.size();
+  const std::size_t row_values = pixel_values * static_cast<std::size_t>(image.width);
+  image.values.reserve(row_values * static_cast<std::size_t>(image.height));  // stays in its place
+  Imf::FrameBuffer buffer;
+  for (std::size_t c = 0; c < pixel_values; ++c)
+    buffer.insert(image.channels[c],
+                  Imf::Slice::Make(Imf::FLOAT, image.values.data() + c, window,
+                                   pixel_values * sizeof(float), row_values * sizeof(float)));
+  file.setFrameBuffer(buffer);
+  for (int y = 0; y < image.height; y += kStrip) {
+    const int end = std::min(y + kStrip, image.height);
+    image.values.resize(row_values * static_cast<std::size_t>(end));
+    file.readPixels(window.min.y + y, window.min.y + end - 1);
+  }
+}
+
+}  // namespace
+
+ImageData decode_exr(const std::string& bytes) {
+  try {
+    Imf::StdISStream stream;
+    stream.str(bytes);
+    const Imf::Header header = read_header(bytes, stream);
+    ImageData image;
+    image.channels = channel_names(header);
+    check_sizes(header, image.channels.size());
+    Imf::InputFile file(stream);
+    // Where the parts of a file contradict each other, what was checked is not what is read.
+    if (file.header().dataWindow() != header.dataWindow())
+      throw InputError("contradicts itself about its size");
+    const auto& window = header.dataWindow();
+    image.width = window.max.x - window.min.x + 1;
+    image.height = window.max.y - window.min.y + 1;
+    image.metadata = metadata(header);
+    read_values(file, image);
+    return image;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(std::string("damaged EXR picture: ") + error.what());
+  }
+}
+
+}  // namespace raytracing

@@ -1,0 +1,247 @@
+#include "raytracing/io/image_reader.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "support/temp_dir.h"
+
+// Files that this program does not write are made by OpenImageIO.
+
+namespace raytracing {
+namespace {
+
+using Channels = std::vector<std::string>;
+
+ImageData small_picture() {
+  ImageData image{3, 2, {"R", "G", "B", "variance.R"}, {}, {}};
+  for (int i = 0; i < 24; ++i) image.values.push_back(static_cast<float>(i) / 24);
+  image.metadata = {{"sceneHash", "00ff"}, {"spp", std::int64_t{64}}, {"seconds", 0.25}};
+  return image;
+}
+
+/// Writes the values, converted from float to `type` (integers: 1 = the largest).
+template <class Value>
+std::string write_oiio(const TempDir& folder, const std::string& name, OIIO::ImageSpec spec,
+                       const std::vector<Value>& values) {
+  const std::string path = folder / name;
+  const auto output = OIIO::ImageOutput::create(path);
+  if (!output->open(path, spec)) throw std::runtime_error(output->geterror());
+  const bool written =
+      spec.tile_width == 0
+          ? output->write_image(OIIO::BaseTypeFromC<Value>::value, values.data())
+          : output->write_tiles(0, spec.width, 0, spec.height, 0, 1,
+                                OIIO::BaseTypeFromC<Value>::value, values.data());
+  if (!written) throw std::runtime_error(output->geterror());
+  output->close();
+  return path;
+}
+
+std::string refusal(const std::string& path) {
+  try {
+    read_image(path);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_TRUE(what.starts_with(path + ": ")) << what;
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    return what.substr(std::min(what.size(), path.size() + 2));
+  }
+  return "read";
+}
+
+float linear(double code, double most) { return static_cast<float>(srgb_to_linear(code / most)); }
+
+TEST(ReadExr, RestoresWhatWasWritten) {
+  const TempDir folder;
+  const ImageData image = small_picture();
+  const std::string path = folder.write("x.exr", encode_image(image, ImageFormat::exr));
+  const ImageData back = read_image(path);
+  EXPECT_EQ(back.width, 3);
+  EXPECT_EQ(back.height, 2);
+  EXPECT_EQ(back.channels, image.channels);
+  EXPECT_EQ(back.values, image.values);
+  for (const auto& entry : image.metadata)
+    EXPECT_EQ(std::count(back.metadata.begin(), back.metadata.end(), entry), 1) << entry.first;
+}
+
+TEST(ReadExr, KeepsNonFiniteValues) {
+  const TempDir folder;
+  ImageData image{2, 1, {"R", "G", "B"}, {}, {}};
+  const float inf = std::numeric_limits<float>::infinity();
+  image.values = {inf, -inf, std::numeric_limits<float>::quiet_NaN(), -1, 3e38f, 1e-45f};
+  const ImageData back =
+      read_image(folder.write("x.exr", encode_image(image, ImageFormat::exr)));
+  ASSERT_EQ(back.values.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(back.values[i]),
+              std::bit_cast<std::uint32_t>(image.values[i]));
+}
+
+// More rows than one strip of the reader, an origin that is not 0 and tiles.
+TEST(ReadExr, TakesHalfUintTilesAndAnyDataWindow) {
+  const TempDir folder;
+  constexpr int kWidth = 5, kHeight = 150;
+  std::vector<float> values;
+  for (int i = 0; i < kWidth * kHeight * 4; ++i) values.push_back(static_cast<float>(i % 1999));
+  for (const OIIO::TypeDesc type :
+       {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT32})
+    for (const int tile : {0, 16}) {
+      OIIO::ImageSpec spec(kWidth, kHeight, 4, type);
+      spec.channelnames = {"R", "G", "B", "Z"};
+      spec.x = -7;
+      spec.y = 11;
+      spec.tile_width = spec.tile_height = tile;
+      if (tile != 0) spec.x = spec.y = 0;
+      std::vector<std::uint32_t> whole(values.begin(), values.end());
+      const std::string path = type == OIIO::TypeDesc::UINT32
+                                   ? write_oiio(folder, "x.exr", spec, whole)
+                                   : write_oiio(folder, "x.exr", spec, values);
+      const ImageData back = read_image(path);
+      EXPECT_EQ(back.channels, (Channels{"R", "G", "B", "Z"}));
+      EXPECT_EQ(back.width, kWidth);
+      EXPECT_EQ(back.height, kHeight);
+      EXPECT_EQ(back.values, values) << type.c_str() << " " << tile;
+    }
+}
+
+TEST(ReadExr, NeedsRedGreenAndBlue) {
+  const TempDir folder;
+  for (const Channels& channels : std::vector<Channels>{{"R", "G"}, {"Y"}, {"r", "g", "b"}}) {
+    const ImageData image{1, 1, channels, std::vector<float>(channels.size()), {}};
+    EXPECT_EQ(refusal(folder.write("x.exr", encode_image(image, ImageFormat::exr))),
+              "has no channels R, G and B");
+  }
+}
+
+TEST(ReadPng, DecodesWhatWasWritten) {
+  const TempDir folder;
+  ImageData image{256, 1, {"R", "G", "B"}, {}, {{"spp", std::int64_t{64}}}};
+  for (int code = 0; code < 256; ++code)
+    for (const int c : {code, 255 - code, (code + 85) % 256})
+      image.values.push_back(linear(c, 255));
+  const ImageData back =
+      read_image(folder.write("x.png", encode_image(image, ImageFormat::png)));
+  EXPECT_EQ(back.width, 256);
+  EXPECT_EQ(back.height, 1);
+  EXPECT_EQ(back.channels, image.channels);
+  EXPECT_EQ(back.values, image.values);
+  EXPECT_EQ(back.metadata, (ImageMetadata{{"spp", std::string("64")}}));
+}
+
+// IEC 61966-2-1 by hand: 0.5 -> ((0.5 + 0.055) / 1.055)^2.4 = 0.214041, 10/255/12.92 = 0.00303527.
+TEST(ReadPng, KnowsTheCurve) {
+  EXPECT_NEAR(srgb_to_linear(0.5), 0.2140411, 1e-7);
+  EXPECT_NEAR(srgb_to_linear(10 / 255.0), 0.003035270, 1e-9);
+  EXPECT_EQ(srgb_to_linear(0), 0);
+  EXPECT_EQ(srgb_to_linear(1), 1);
+}
+
+TEST(ReadPng, TakesGreySixteenBitsAndOpaqueAlpha) {
+  const TempDir folder;
+  const std::vector<std::uint8_t> grey = {0, 1, 128, 255};
+  ImageData back =
+      read_image(write_oiio(folder, "grey.png", {2, 2, 1, OIIO::TypeDesc::UINT8}, grey));
+  ASSERT_EQ(back.values.size(), 12u);
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(back.values[i], linear(grey[i / 3], 255));
+
+  const std::vector<std::uint16_t> wide = {0, 1, 256, 4660, 65534, 65535};
+  back = read_image(write_oiio(folder, "wide.png", {2, 1, 3, OIIO::TypeDesc::UINT16}, wide));
+  ASSERT_EQ(back.values.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(back.values[i], linear(wide[i], 65535)) << i;
+
+  OIIO::ImageSpec rgba(2, 1, 4, OIIO::TypeDesc::UINT8);
+  rgba.attribute("oiio:UnassociatedAlpha", 1);
+  std::vector<std::uint8_t> values = {1, 2, 3, 255, 4, 5, 6, 255};
+  back = read_image(write_oiio(folder, "opaque.png", rgba, values));
+  EXPECT_EQ(back.channels, (Channels{"R", "G", "B"}));
+  ASSERT_EQ(back.values.size(), 6u);
+  for (int i = 0; i < 6; ++i)
+    EXPECT_EQ(back.values[static_cast<std::size_t>(i)], linear(i + 1, 255));
+  values[7] = 254;
+  EXPECT_EQ(refusal(write_oiio(folder, "seen.png", rgba, values)), "has transparent pixels");
+}
+
+TEST(ReadPng, RefusesAnotherGamma) {
+  const TempDir folder;
+  OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:Gamma", 1.0f);
+  spec.attribute("oiio:ColorSpace", "GammaCorrected");
+  const std::vector<std::uint8_t> values = {1, 2, 3};
+  EXPECT_EQ(refusal(write_oiio(folder, "x.png", spec, values)),
+            "its gamma is 1.00000, not that of sRGB");
+}
+
+TEST(ReadImage, RefusesWhatIsNoPicture) {
+  const TempDir folder;
+  EXPECT_EQ(refusal(folder / "nope.exr"), "No such file or directory");
+  EXPECT_EQ(refusal(folder.path()), "Is a directory");
+  for (const char* text : {"", "x", "\x89PNG", "RIFF and more of the like"})
+    EXPECT_EQ(refusal(folder.write("x.png", text)), "neither an EXR nor a PNG picture");
+}
+
+TEST(ReadImage, GoesByTheBytesNotTheName) {
+  const TempDir folder;
+  const ImageData image = small_picture();
+  EXPECT_EQ(read_image(folder.write("x.png", encode_image(image, ImageFormat::exr))).values,
+            image.values);
+}
+
+// Prefixes of every third length, so that each part of a file is met.
+TEST(ReadImage, RefusesTruncatedFiles) {
+  const TempDir folder;
+  for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
+    const std::string bytes = encode_image(small_picture(), format);
+    for (std::size_t size = 0; size < bytes.size(); size += 3)
+      ASSERT_NE(refusal(folder.write("x", std::string_view(bytes).substr(0, size))), "read")
+          << size << " of " << bytes.size();
+  }
+}
+
+// Whatever a flipped byte does: a picture or an InputError, nothing else.
+TEST(ReadImage, SurvivesDamagedBytes) {
+  const TempDir folder;
+  for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
+    const std::string good = encode_image(small_picture(), format);
+    for (std::size_t i = 0; i < good.size(); ++i) {
+      std::string bytes = good;
+      bytes[i] = static_cast<char>(bytes[i] ^ (i % 2 == 0 ? 0xff : 0x80));
+      refusal(folder.write("x", bytes));
+    }
+  }
+}
+
+/// Replaces the four bytes behind `name`, whose place is `skip` bytes after its beginning.
+std::string with_number(std::string bytes, std::string_view name, std::size_t skip,
+                        std::uint32_t value, bool big_endian) {
+  const std::size_t at = bytes.find(name) + skip;
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[at + i] = static_cast<char>(value >> 8 * (big_endian ? 3 - i : i));
+  return bytes;
+}
+
+TEST(ReadImage, RefusesHugeClaimsBeforeTakingTheMemory) {
+  const TempDir folder;
+  const std::string exr = encode_image(small_picture(), ImageFormat::exr);
+  const std::size_t window = sizeof("dataWindow") + sizeof("box2i") + 4;
+  for (const auto& [field, claim] : std::vector<std::pair<std::size_t, std::uint32_t>>{
+           {2, 65536}, {2, 0x7fffffff}, {3, 0x7fffffff}, {3, 65536}, {0, 0x80000000},
+           {1, 0x80000000}, {2, 0xffffffff}, {3, 60000}}) {
+    const std::string bytes = with_number(exr, "dataWindow", window + 4 * field, claim, false);
+    EXPECT_NE(refusal(folder.write("x", bytes)), "read") << field << " " << claim;
+  }
+  EXPECT_EQ(refusal(folder.write("x", with_number(exr, "dataWindow", window + 8, 65536, false))),
+            "65537x2 pixels of 4 channels are more than can be read");
+  const std::size_t text = sizeof("sceneHash") + sizeof("string");
+  EXPECT_EQ(refusal(folder.write("x", with_number(exr, "sceneHash", text, 0x7fffffff, false))),
+            "its header is cut off");
+}
+
+}  // namespace
+}  // namespace raytracing
