@@ -25,6 +25,7 @@ struct Command {
 // The first one is what runs when no command is named.
 constexpr std::array kCommands{
     Command{"render", "renders a scene to pictures", render_command},
+    Command{"compare", "tells how far a picture is from another, and where", compare_command},
 };
 
 // As a shell would take it again.

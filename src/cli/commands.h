@@ -19,4 +19,7 @@ std::string subcommands_text();
 /// Renders a scene to pictures. Returns the exit code; throws UsageError, InputError, OutputError.
 int render_command(const Arguments& arguments);
 
+/// Compares two pictures. Returns and throws as render_command() does.
+int compare_command(const Arguments& arguments);
+
 }  // namespace raytracing

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "image_decoders.h"
@@ -154,7 +156,8 @@ ImageData decode_png(const std::string& bytes) {
   image.height = static_cast<int>(header.height);
   image.channels = {"R", "G", "B"};
   image.values = linear_values(header, pixels);
-  image.metadata = reader.texts();
+  image.metadata = {{"bitsPerSample", std::int64_t{header.wide ? 16 : 8}}};
+  for (auto& text : reader.texts()) image.metadata.push_back(std::move(text));
   return image;
 }
 

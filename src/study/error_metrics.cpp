@@ -36,12 +36,16 @@ void check_same_size(const ImageData& test, const ImageData& reference) {
                                  test.height, reference.width, reference.height));
 }
 
+void check_mask_size(const PixelMask& mask, std::size_t pixels) {
+  if (!mask.empty() && mask.size() != pixels)
+    throw InputError("the mask is not of the pictures' size");
+}
+
 ErrorMetrics error_metrics(const ImageData& test, const ImageData& reference,
                            const PixelMask& mask) {
   check_same_size(test, reference);
   const RgbView xs(test), rs(reference);
-  if (!mask.empty() && mask.size() != xs.pixels())
-    throw InputError("the mask is not of the pictures' size");
+  check_mask_size(mask, xs.pixels());
   ErrorMetrics m{};
   m.largest_x = m.largest_y = -1;
   Sums sums;

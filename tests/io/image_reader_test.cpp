@@ -132,7 +132,8 @@ TEST(ReadPng, DecodesWhatWasWritten) {
   EXPECT_EQ(back.height, 1);
   EXPECT_EQ(back.channels, image.channels);
   EXPECT_EQ(back.values, image.values);
-  EXPECT_EQ(back.metadata, (ImageMetadata{{"spp", std::string("64")}}));
+  EXPECT_EQ(back.metadata, (ImageMetadata{{"bitsPerSample", std::int64_t{8}},
+                                          {"spp", std::string("64")}}));
 }
 
 // IEC 61966-2-1 by hand: 0.5 -> ((0.5 + 0.055) / 1.055)^2.4 = 0.214041, 10/255/12.92 = 0.00303527.

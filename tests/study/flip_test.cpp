@@ -27,7 +27,7 @@ ImageData uniform(int width, int height, Rgb colour) {
 }
 
 // The package computes in float and rounds its constants.
-constexpr double kTolerance = 2e-4;
+constexpr double kTolerance = 2e-5;
 
 TEST(Flip, AgreesWithThePackagePixelByPixel) {
   const ImageData test = stored("test.png"), reference = stored("reference.png");

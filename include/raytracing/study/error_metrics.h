@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -39,5 +40,8 @@ PixelMask to_mask(const ImageData& mask);
 
 /// Throws InputError, which tells both sizes, unless they are equal.
 void check_same_size(const ImageData& test, const ImageData& reference);
+
+/// Throws InputError unless the mask is empty or has this many pixels.
+void check_mask_size(const PixelMask& mask, std::size_t pixels);
 
 }  // namespace raytracing

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "raytracing/io/image_file.h"
+#include "raytracing/study/error_metrics.h"
+
+namespace raytracing {
+
+/// z = (x-r) / sqrt(var_x + var_r) of every channel of every pixel, where var is the picture's layer
+/// variance.R/G/B (the variance of the pixel mean; 0 for a picture without it). Where two pictures
+/// of many independent samples have the same expectation, z is nearly a standard normal variable.
+/// Few samples of a long-tailed distribution give more large ones and a mean that is not 0, since
+/// small values come with small variances. A variance that takes quasi-random samples as
+/// independent is too large: then there are too few.
+struct ZScores {
+  double share_196, share_3;  ///< share of |z| > 1.96 and > 3; NaN without scores
+  double mean, rms;           ///< of z; expected: 0 and 1
+  std::uint64_t scores;       ///< channels of pixels with a variance
+  /// Channels without a score because both variances are 0: where the values agree, and where not.
+  std::uint64_t no_variance_equal, no_variance_different;
+  std::uint64_t not_finite;   ///< channels where a value or a variance is no finite number or < 0
+};
+
+inline constexpr double kExpectedShare196 = 0.0499958, kExpectedShare3 = 0.0026998;
+
+/// Nothing when neither picture has variance layers. Throws InputError as error_metrics() does.
+std::optional<ZScores> z_scores(const ImageData& test, const ImageData& reference,
+                                const PixelMask& mask = {});
+
+}  // namespace raytracing

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "commands.h"
+#include "comparison.h"
+#include "option_list.h"
+#include "raytracing/cli/app.h"
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "raytracing/io/image_reader.h"
+#include "raytracing/study/error_picture.h"
+#include "raytracing/study/flip.h"
+
+namespace raytracing {
+namespace {
+
+struct CompareArguments {
+  std::string test, reference;
+  std::string mask, diff, json;  // "" = none
+  std::optional<double> max_relmse;
+  std::optional<std::string> help;
+};
+
+CompareArguments parse_compare_arguments(const Arguments& arguments) {
+  CompareArguments a;
+  OptionList options("Compares picture A with the reference B, both EXR or PNG (decoded to linear).",
+                     "Raytracing compare");
+  options.add_text("A", a.test, "FILE", "The picture to judge");
+  options.add_text("B", a.reference, "FILE", "The reference");
+  options.add_text("--mask", a.mask, "FILE",
+                   "Picture of the same size: only pixels where it is white (linear mean of R, G, B "
+                   ">= 0.5) count");
+  options.add_text("--diff", a.diff, "FILE",
+                   "Write the relative squared error of each pixel in false colours, .png or .exr: "
+                   "black (1e-5 and less) to light yellow (10 and more); cyan is not finite, grey "
+                   "lies outside of the mask");
+  options.add_real("--max-relmse", a.max_relmse, 0, std::numeric_limits<double>::max(),
+                   "End with exit code 1 when relMSE is above this limit, or A has pixels that are "
+                   "not finite");
+  options.add_text("--json", a.json, "FILE", "Write the numbers and their formulas as JSON");
+  options.add_footer("Exit codes: 0 good, 1 above the limit, 2 usage, 3 unreadable or of different "
+                     "sizes, 4 cannot write.\n");
+  a.help = options.parse(arguments);
+  if (a.help) return a;
+  if (a.reference.empty()) throw_usage("two pictures are needed");
+  if (!a.diff.empty()) image_format(a.diff);
+  return a;
+}
+
+PixelMask read_mask(const std::string& path, const ImageData& test) {
+  if (path.empty()) return {};
+  const ImageData mask = read_image(path);
+  if (mask.width != test.width || mask.height != test.height)
+    throw InputError(fmt::format("{}: {}x{} pixels, but the pictures have {}x{}", path, mask.width,
+                                 mask.height, test.width, test.height));
+  return to_mask(mask);
+}
+
+// Whether the picture passes; a picture with pixels that are not finite has no finite error.
+bool within_limit(const ErrorMetrics& m, const std::optional<double>& limit) {
+  if (!limit) return true;
+  if (m.non_finite_test > 0) {
+    fmt::print(stderr, "Raytracing: {} pixels are not finite\n", m.non_finite_test);
+    return false;
+  }
+  if (m.relmse <= *limit) return true;
+  fmt::print(stderr, "Raytracing: relMSE {:.6g} is not within --max-relmse {}\n", m.relmse, *limit);
+  return false;
+}
+
+}  // namespace
+
+int compare_command(const Arguments& arguments) {
+  const CompareArguments a = parse_compare_arguments(arguments);
+  if (a.help) {
+    fmt::print("{}", *a.help);
+    return kExitGood;
+  }
+  const ImageData test = read_image(a.test), reference = read_image(a.reference);
+  if (test.width != reference.width || test.height != reference.height)
+    throw InputError(fmt::format("{}: {}x{} pixels, but {} has {}x{}", a.test, test.width,
+                                 test.height, a.reference, reference.width, reference.height));
+  const PixelMask mask = read_mask(a.mask, test);
+  const Comparison comparison{a.test,
+                              a.reference,
+                              error_metrics(test, reference, mask),
+                              masked_mean(flip_map(test, reference), mask),
+                              z_scores(test, reference, mask)};
+  std::optional<OutputFile> diff, json;
+  if (!a.diff.empty()) diff.emplace(a.diff);
+  if (!a.json.empty()) json.emplace(a.json);
+  for (const std::string& note : header_notes(test, a.test, reference, a.reference))
+    fmt::print(stderr, "{}\n", note);
+  fmt::print("{}", comparison_text(comparison));
+  if (diff) {
+    diff->write(encode_image(error_picture(test, reference, mask), image_format(a.diff)));
+    diff->commit();
+  }
+  if (json) {
+    json->write(comparison_json(comparison));
+    json->commit();
+  }
+  return within_limit(comparison.metrics, a.max_relmse) ? kExitGood : kExitCheckFailed;
+}
+
+}  // namespace raytracing

@@ -1,0 +1,353 @@
+// The subcommand compare: its numbers, files, notes and exit codes.
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "raytracing/io/image_reader.h"
+#include "raytracing/study/error_picture.h"
+#include "raytracing/study/flip.h"
+#include "support/cli_folder.h"
+
+namespace raytracing {
+namespace {
+
+using Names = std::vector<std::string>;
+
+ImageData picture(int width, int height, std::vector<float> values, ImageMetadata metadata = {}) {
+  return {width, height, {"R", "G", "B"}, std::move(values), std::move(metadata)};
+}
+
+ImageData random_picture(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  ImageData image = picture(width, height, {});
+  for (int i = 0; i < 3 * width * height; ++i) image.values.push_back(uniform(random));
+  return image;
+}
+
+struct CompareFolder : CliFolder {
+  void write(const std::string& name, const ImageData& image) const {
+    folder.write(name, encode_image(image, image_format(name)));
+  }
+  RunResult compare(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "compare");
+    return run(arguments);
+  }
+};
+
+/// A folder with a.exr and b.exr, the same but for one channel: |x-r| = 0.5, at pixel 1,0.
+struct OneChannelOff : CompareFolder {
+  OneChannelOff() {
+    write("a.exr", picture(2, 1, {1, 1, 1, 1, 1, 0.5f}));
+    write("b.exr", picture(2, 1, {1, 1, 1, 1, 1, 1}));
+  }
+};
+
+TEST(Compare, PrintsNumbersWithTheirFormulas) {
+  const OneChannelOff folder;
+  const RunResult run = folder.compare({"a.exr", "b.exr"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  for (const char* line :
+       {"x = a.exr\nr = b.exr\nmeans over R, G and B of 2 pixels\n",
+        "\nMSE               0.0416667  mean (x-r)^2\n",
+        "\nRMSE               0.204124  sqrt(MSE)\n",
+        "\nrelMSE            0.0412541  mean (x-r)^2 / (r^2 + 0.01)\n",
+        "\nMAE               0.0833333  mean |x-r|\n",
+        "\nPSNR                13.8021  10 log10(1 / MSE) dB, for a peak of 1\n",
+        "\nSMAPE             0.0551876  mean |x-r| / (|x| + |r| + 0.01)\n",
+        "\nFLIP ", "  mean LDR-FLIP, 67 pixels per degree, values cut off to 0..1\n",
+        "\nmean ratio G              1  mean x / mean r\n",
+        "\nmean ratio B           0.75  mean x / mean r\n",
+        "\nlargest                 0.5  |x-r| of a channel, at pixel 1,0\n",
+        "\nnon-finite x              0  pixels, left out of the means\n"})
+    EXPECT_NE(run.out.find(line), std::string::npos) << line << "\n" << run.out;
+  EXPECT_EQ(run.out.find("|z|"), std::string::npos);
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
+}
+
+TEST(Compare, JsonSaysTheSame) {
+  const CompareFolder folder;
+  const ImageData a = random_picture(9, 7, 1), b = random_picture(9, 7, 2);
+  folder.write("a.exr", a);
+  folder.write("b.exr", b);
+  const RunResult run = folder.compare({"a.exr", "b.exr", "--json", "c.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const nlohmann::json j = folder.json("c.json");
+  const ErrorMetrics m = error_metrics(a, b);
+  EXPECT_EQ(j["test"], "a.exr");
+  EXPECT_EQ(j["reference"], "b.exr");
+  EXPECT_EQ(j["pixels"], 63);
+  EXPECT_EQ(j["epsilon"], 0.01);
+  EXPECT_EQ(j["mse"], m.mse);
+  EXPECT_EQ(j["rmse"], m.rmse);
+  EXPECT_EQ(j["relmse"], m.relmse);
+  EXPECT_EQ(j["mae"], m.mae);
+  EXPECT_EQ(j["psnr"], m.psnr);
+  EXPECT_EQ(j["smape"], m.smape);
+  EXPECT_EQ(j["flip"], masked_mean(flip_map(a, b)));
+  EXPECT_EQ(j["mean_ratio_r"], m.mean_ratio.x);
+  EXPECT_EQ(j["mean_ratio_g"], m.mean_ratio.y);
+  EXPECT_EQ(j["mean_ratio_b"], m.mean_ratio.z);
+  EXPECT_EQ(j["largest"], m.largest);
+  EXPECT_EQ(j["largest_pixel"], (nlohmann::json{m.largest_x, m.largest_y}));
+  EXPECT_EQ(j["non_finite_test"], 0);
+  EXPECT_EQ(j["non_finite_reference"], 0);
+  EXPECT_FALSE(j.contains("z_rms"));
+  // Each line of the table is a number of the JSON with its formula.
+  for (const auto& [key, formula] : j["formulas"].items()) {
+    EXPECT_TRUE(j.contains(key)) << key;
+    EXPECT_NE(run.out.find(formula.get<std::string>()), std::string::npos) << key;
+  }
+  EXPECT_EQ(j["formulas"].size() + 3, lines_of(run.out));
+}
+
+TEST(Compare, EqualPicturesHaveNoError) {
+  const OneChannelOff folder;
+  const RunResult run =
+      folder.compare({"a.exr", "a.exr", "--max-relmse", "0", "--json", "c.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("\nPSNR                    inf  "), std::string::npos) << run.out;
+  EXPECT_TRUE(folder.json("c.json")["psnr"].is_null());
+  EXPECT_EQ(folder.json("c.json")["flip"], 0);
+}
+
+TEST(Compare, TheLimitDecidesTheExitCode) {
+  const OneChannelOff folder;
+  EXPECT_EQ(folder.compare({"a.exr", "b.exr", "--max-relmse", "0.0413"}).exit_code, 0);
+  const RunResult above = folder.compare({"a.exr", "b.exr", "--max-relmse=.0412", "--json", "j"});
+  EXPECT_EQ(above.exit_code, 1);
+  EXPECT_EQ(above.err, "Raytracing: relMSE 0.0412541 is not within --max-relmse 0.0412\n");
+  EXPECT_NE(above.out.find("relMSE "), std::string::npos);
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "j"}));
+}
+
+TEST(Compare, NonFinitePixelsAreToldAndNotWithinAnyLimit) {
+  const CompareFolder folder;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  folder.write("a.exr", picture(3, 1, {1, 1, 1, nan, 1, 1, 1, 1, 1}));
+  folder.write("b.exr", picture(3, 1, {1, 1, 1, 1, 1, 1, 1, 1, -1 / 0.0f}));
+  const RunResult run = folder.compare({"a.exr", "b.exr", "--diff", "d.png"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("R, G and B of 1 pixels\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("non-finite x              1"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("non-finite r              1"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("relMSE                    0"), std::string::npos) << run.out;
+  const RunResult limit = folder.compare({"a.exr", "b.exr", "--max-relmse", "1e30"});
+  EXPECT_EQ(limit.exit_code, 1);
+  EXPECT_EQ(limit.err, "Raytracing: 1 pixels are not finite\n");
+  EXPECT_EQ(folder.compare({"b.exr", "b.exr", "--max-relmse", "1"}).exit_code, 1);
+}
+
+// Without a pixel that counts there is no error to be within a limit.
+TEST(Compare, AMaskThatLeavesNothingPassesNoLimit) {
+  const OneChannelOff folder;
+  folder.write("none.png", picture(2, 1, {0, 0, 0, 0, 0, 0}));
+  const RunResult run =
+      folder.compare({"a.exr", "b.exr", "--mask", "none.png", "--max-relmse", "1"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find(" of 0 pixels\n"), std::string::npos) << run.out;
+}
+
+TEST(Compare, TheMaskDecidesWhatCounts) {
+  const OneChannelOff folder;
+  folder.write("first.png", picture(2, 1, {1, 1, 1, 0, 0, 0}));
+  folder.write("second.exr", picture(2, 1, {0, 0, 0, 1, 1, 1}));
+  const auto relmse = [&](const std::string& mask) {
+    EXPECT_EQ(folder.compare({"a.exr", "b.exr", "--mask", mask, "--json", "j"}).exit_code, 0);
+    return folder.json("j")["relmse"].get<double>();
+  };
+  EXPECT_EQ(relmse("first.png"), 0);
+  EXPECT_DOUBLE_EQ(relmse("second.exr"), 0.25 / 1.01 / 3);
+}
+
+// Half a code at the steepest place of the curve: 2.4 / 1.055 / 255 / 2.
+TEST(Compare, PngDiffersFromExrByQuantisationOnly) {
+  const CompareFolder folder;
+  const ImageData image = random_picture(64, 48, 3);
+  folder.write("a.png", image);
+  folder.write("b.exr", image);
+  const RunResult run = folder.compare({"a.png", "b.exr", "--json", "j"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "note: a.png: 8 bits a channel, and light beyond 1 is cut off\n");
+  const nlohmann::json j = folder.json("j");
+  EXPECT_LT(j["largest"], 0.004461);
+  EXPECT_GT(j["largest"], 0.004);
+  EXPECT_LT(j["relmse"], 5e-5);
+  EXPECT_LT(j["flip"], 0.01);
+  for (const char* ratio : {"mean_ratio_r", "mean_ratio_g", "mean_ratio_b"})
+    EXPECT_NEAR(j[ratio].get<double>(), 1, 1e-3);
+}
+
+TEST(Compare, TakesGreyPictures) {
+  const CompareFolder folder;
+  const auto output = OIIO::ImageOutput::create(folder.folder / "grey.png");
+  const std::vector<std::uint8_t> codes = {0, 255};
+  ASSERT_TRUE(output->open(folder.folder / "grey.png", {2, 1, 1, OIIO::TypeDesc::UINT8}));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, codes.data()));
+  output->close();
+  folder.write("b.exr", picture(2, 1, {0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(folder.compare({"grey.png", "b.exr", "--max-relmse", "0"}).exit_code, 0);
+}
+
+TEST(Compare, WritesTheErrorPicture) {
+  const CompareFolder folder;
+  const ImageData a = random_picture(200, 30, 4), b = random_picture(200, 30, 5);
+  folder.write("a.exr", a);
+  folder.write("b.exr", b);
+  const ImageData expected = error_picture(a, b);
+  for (const char* name : {"d.png", "d.exr"}) {
+    ASSERT_EQ(folder.compare({"a.exr", "b.exr", "--diff", name}).exit_code, 0);
+    const ImageData diff = read_image(folder.folder / name);
+    EXPECT_EQ(diff.width, 200);
+    EXPECT_GT(diff.height, 30);
+    ASSERT_EQ(diff.values.size(), expected.values.size());
+    for (std::size_t i = 0; i < diff.values.size(); ++i)
+      ASSERT_EQ(srgb8(diff.values[i]), srgb8(expected.values[i])) << name;
+  }
+}
+
+// Two renderings with independent samples. The bounds are wide, for the mean of a pixel's 64 samples
+// is not normal yet, and there are few pixels.
+TEST(Compare, VarianceLayersGiveZScores) {
+  const CompareFolder folder;
+  for (const auto& [name, seed] : {std::pair{"a.exr", "1"}, {"b.exr", "2"}})
+    ASSERT_EQ(folder.render({"--sampler", "independent", "--spp", "64", "--seed", seed,
+                             "--variance", "-o", name})
+                  .exit_code,
+              0);
+  const RunResult run = folder.compare({"a.exr", "b.exr", "--json", "j"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_NE(run.out.find("\n|z| > 1.96 "), std::string::npos) << run.out;
+  const nlohmann::json j = folder.json("j");
+  EXPECT_GT(j["z_rms"], 0.7);
+  EXPECT_LT(j["z_rms"], 1.4);
+  EXPECT_LT(j["z_share_1.96"], 0.15);
+  EXPECT_EQ(j["z_scores"].get<int>() + j["z_no_variance_equal"].get<int>() +
+                j["z_no_variance_different"].get<int>(),
+            12 * 8 * 3);
+}
+
+TEST(Compare, HeadersSpeakAgainstTheComparison) {
+  const CompareFolder folder;
+  const auto write = [&](const char* name, ImageMetadata metadata) {
+    folder.write(name, picture(1, 1, {1, 1, 1}, std::move(metadata)));
+  };
+  const std::string hash = "sceneHash";
+  write("plain.exr", {});
+  write("one.exr", {{hash, "01"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
+  write("seed.exr", {{hash, "01"}, {"seed", std::int64_t{4}}, {"sampler", "sobol"}});
+  write("other.exr", {{hash, "02"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
+  write("biased.exr", {{"lightSampling", "line-ratio"}, {"lightSamplingBiased", "yes"}});
+  write("part.exr", {{"complete", "no, stopped early"}});
+  const std::string same =
+      "note: both pictures have the same seed: their errors are not independent\n";
+  for (const auto& [a, b, notes] : std::vector<std::array<std::string, 3>>{
+           {"plain.exr", "plain.exr", ""},
+           {"plain.exr", "one.exr", ""},
+           {"one.exr", "seed.exr", ""},
+           {"one.exr", "one.exr", same},
+           {"one.exr", "other.exr", "warning: of different scenes: sceneHash 01 and 02\n"},
+           {"plain.exr", "biased.exr",
+            "note: biased.exr: made by the biased method line-ratio: more samples do not bring it "
+            "to the true picture\n"},
+           {"part.exr", "plain.exr",
+            "warning: part.exr: its rendering was stopped early\n"}}) {
+    const RunResult run = folder.compare({a, b, "--max-relmse", "0"});
+    EXPECT_EQ(run.exit_code, 0) << a << " " << b;
+    EXPECT_EQ(run.err, notes) << a << " " << b;
+  }
+}
+
+TEST(Compare, RenderedPicturesCarryWhatTheNotesNeed) {
+  const CompareFolder folder;
+  ASSERT_EQ(folder.render({"-o", "a.exr", "--light-sampling", "line-ratio"}).exit_code, 0);
+  ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2"}).exit_code, 0);
+  EXPECT_EQ(folder.compare({"a.exr", "b.exr"}).err.substr(0, 41),
+            "note: a.exr: made by the biased method li");
+}
+
+void expect_one_line(const RunResult& run, int code, const std::string& line) {
+  EXPECT_EQ(run.exit_code, code);
+  EXPECT_EQ(run.err, "Raytracing: " + line + "\n");
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(Compare, BadPicturesEndWithThree) {
+  const OneChannelOff folder;
+  folder.write("wide.exr", picture(3, 1, std::vector<float>(9)));
+  folder.folder.write("text.png", "no picture");
+  folder.folder.write("cut.exr", folder.bytes("a.exr").substr(0, 300));
+  const Names before = folder.names();
+  const auto compare = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "j", "--diff", "d.png"});
+    return folder.compare(arguments);
+  };
+  expect_one_line(compare({"nope.exr", "a.exr"}), 3, "nope.exr: No such file or directory");
+  expect_one_line(compare({"a.exr", "text.png"}), 3, "text.png: neither an EXR nor a PNG picture");
+  expect_one_line(compare({"a.exr", "wide.exr"}), 3, "a.exr: 2x1 pixels, but wide.exr has 3x1");
+  expect_one_line(compare({"a.exr", "b.exr", "--mask", "wide.exr"}), 3,
+                  "wide.exr: 3x1 pixels, but the pictures have 2x1");
+  const RunResult cut = compare({"cut.exr", "b.exr"});
+  EXPECT_EQ(cut.exit_code, 3);
+  EXPECT_EQ(lines_of(cut.err), 1u);
+  EXPECT_TRUE(cut.err.starts_with("Raytracing: cut.exr: ")) << cut.err;
+  EXPECT_EQ(folder.names(), before);
+}
+
+TEST(Compare, WrongUseEndsWithTwo) {
+  const OneChannelOff folder;
+  const std::string hint = " (--help lists all options)";
+  expect_one_line(folder.compare({}), 2, "two pictures are needed" + hint);
+  expect_one_line(folder.compare({"a.exr"}), 2, "two pictures are needed" + hint);
+  expect_one_line(folder.compare({"a.exr", "b.exr", "c.exr"}), 2,
+                  "c.exr: one argument too many" + hint);
+  expect_one_line(folder.compare({"a.exr", "b.exr", "--dif", "x.png"}), 2,
+                  "--dif: no such option; the nearest is --diff" + hint);
+  expect_one_line(folder.compare({"a.exr", "b.exr", "--diff", "x.jpg"}), 2,
+                  "x.jpg: the name of an image must end in .png or .exr");
+  for (const std::string limit : {"x", "1x", "nan", "inf", "", "0x1p3", "1,5"})
+    expect_one_line(folder.compare({"a.exr", "b.exr", "--max-relmse=" + limit}), 2,
+                    limit.empty() ? "--max-relmse: needs a value" + hint
+                                  : "--max-relmse: '" + limit + "' is not a number");
+  const RunResult negative = folder.compare({"a.exr", "b.exr", "--max-relmse", "-1"});
+  EXPECT_EQ(negative.exit_code, 2);
+  EXPECT_TRUE(negative.err.starts_with("Raytracing: --max-relmse: -1 is not in 0 .. "))
+      << negative.err;
+}
+
+TEST(Compare, OutputsThatCannotBeWrittenEndWithFour) {
+  const OneChannelOff folder;
+  for (const std::vector<std::string>& outputs :
+       {std::vector<std::string>{"--json", "nope/j"}, {"--diff", "nope/d.png"},
+        {"--diff", "d.png", "--json", "nope/j"}, {"--json", "."}}) {
+    std::vector<std::string> arguments = {"a.exr", "b.exr"};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    const RunResult run = folder.compare(arguments);
+    EXPECT_EQ(run.exit_code, 4);
+    EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
+  }
+}
+
+TEST(Compare, HelpNamesEveryOption) {
+  const RunResult help = CompareFolder().compare({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* option : {"\n  A FILE ", "\n  B FILE ", "\n  --mask FILE ", "\n  --diff FILE ",
+                             "\n  --max-relmse X ", "\n  --json FILE ", "Exit codes: 0 good"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option;
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  EXPECT_NE(CompareFolder().run({"--help"}).out.find("\ncompare "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raytracing

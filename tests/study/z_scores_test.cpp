@@ -1,0 +1,101 @@
+#include "raytracing/study/z_scores.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "raytracing/io/errors.h"
+
+namespace raytracing {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// One row of grey pixels with one variance for the three channels.
+struct GreyPixel {
+  float value, variance;
+};
+
+ImageData row(const std::vector<GreyPixel>& pixels) {
+  ImageData image{static_cast<int>(pixels.size()), 1,
+                  {"R", "G", "B", "variance.R", "variance.G", "variance.B"}, {}, {}};
+  for (const GreyPixel& p : pixels)
+    for (const float v : {p.value, p.value, p.value, p.variance, p.variance, p.variance})
+      image.values.push_back(v);
+  return image;
+}
+
+// By hand: z = -2, 4, 1.9 and 0.
+TEST(ZScores, AddTheVariances) {
+  const auto z = z_scores(row({{1, 9}, {4, 0.5f}, {1.9f, 1}, {7, 1}}),
+                          row({{11, 16}, {0, 0.5f}, {0, 0}, {7, 0}}));
+  ASSERT_TRUE(z.has_value());
+  EXPECT_EQ(z->scores, 12u);
+  EXPECT_DOUBLE_EQ(z->share_196, 0.5);
+  EXPECT_DOUBLE_EQ(z->share_3, 0.25);
+  EXPECT_NEAR(z->mean, (-2 + 4 + 1.9) / 4, 1e-7);
+  EXPECT_NEAR(z->rms, std::sqrt((4 + 16 + 1.9 * 1.9) / 4), 1e-7);
+  EXPECT_EQ(z->no_variance_equal + z->no_variance_different + z->not_finite, 0u);
+}
+
+TEST(ZScores, CountWhatHasNone) {
+  const auto z = z_scores(row({{1, 0}, {1, 0}, {kNan, 1}, {1, kNan}, {1, 1}, {1, -1}, {3, 1}}),
+                          row({{1, 0}, {2, 0}, {1, 1}, {1, 1}, {1, kInfinity}, {1, 2}, {3, 0}}));
+  ASSERT_TRUE(z.has_value());
+  EXPECT_EQ(z->no_variance_equal, 3u);
+  EXPECT_EQ(z->no_variance_different, 3u);
+  EXPECT_EQ(z->not_finite, 12u);
+  EXPECT_EQ(z->scores, 3u);
+  EXPECT_EQ(z->rms, 0);
+}
+
+TEST(ZScores, TakeAPictureWithoutLayersAsExact) {
+  const ImageData exact{2, 1, {"R", "G", "B"}, {0, 0, 0, 0, 0, 0}, {}};
+  EXPECT_FALSE(z_scores(exact, exact).has_value());
+  for (const auto& z : {z_scores(exact, row({{1, 4}, {1, 4}})), z_scores(row({{1, 4}, {1, 4}}), exact)})
+    EXPECT_EQ(z.value().rms, 0.5);
+}
+
+TEST(ZScores, HeedTheMask) {
+  const ImageData exact{2, 1, {"R", "G", "B"}, {0, 0, 0, 0, 0, 0}, {}};
+  EXPECT_EQ(z_scores(exact, row({{1, 4}, {5, 4}}), {1, 0}).value().rms, 0.5);
+  const auto none = z_scores(exact, row({{1, 4}, {5, 4}}), {0, 0});
+  EXPECT_EQ(none->scores, 0u);
+  EXPECT_TRUE(std::isnan(none->share_196));
+  EXPECT_THROW(z_scores(exact, exact, {1}), InputError);
+}
+
+// Normal noise of known variance: both shares are binomial, checked at 5 standard deviations.
+TEST(ZScores, HaveTheExpectedShares) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<float> normal;
+  constexpr int kPixels = 100000;
+  ImageData test{kPixels, 1, {"R", "G", "B", "variance.R", "variance.G", "variance.B"}, {}, {}};
+  ImageData reference = test;
+  for (int i = 0; i < kPixels; ++i) {
+    const auto append = [&](ImageData& image, float variance) {
+      for (int c = 0; c < 3; ++c)
+        image.values.push_back(2 + std::sqrt(variance) * normal(random));
+      for (int c = 0; c < 3; ++c) image.values.push_back(variance);
+    };
+    append(test, 0.3f);
+    append(reference, 0.1f + 0.1f * static_cast<float>(i % 3));
+  }
+  const ZScores z = z_scores(test, reference).value();
+  const double count = 3.0 * kPixels;
+  const auto close = [&](double share, double expected) {
+    EXPECT_NEAR(share, expected, 5 * std::sqrt(expected / count));
+  };
+  close(z.share_196, kExpectedShare196);
+  close(z.share_3, kExpectedShare3);
+  EXPECT_NEAR(z.mean, 0, 5 / std::sqrt(count));
+  EXPECT_NEAR(z.rms, 1, 5 / std::sqrt(2 * count));
+  EXPECT_DOUBLE_EQ(kExpectedShare196, std::round(1e7 * std::erfc(1.96 / std::sqrt(2.0))) / 1e7);
+  EXPECT_DOUBLE_EQ(kExpectedShare3, std::round(1e7 * std::erfc(3 / std::sqrt(2.0))) / 1e7);
+}
+
+}  // namespace
+}  // namespace raytracing
