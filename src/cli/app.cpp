@@ -67,7 +67,8 @@ int fail(int code, std::string_view message) {
 }  // namespace
 
 std::string subcommands_text() {
-  std::string text = "Subcommands (the first one's name may be left out; each has its own --help):\n";
+  std::string text =
+      "Subcommands (the first one's name may be left out; each has its own --help):\n";
   for (const Command& command : kCommands)
     text += fmt::format("{:<12} {}\n", command.name, command.summary);
   return text + "\n";

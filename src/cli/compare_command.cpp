@@ -26,13 +26,14 @@ struct CompareArguments {
 
 CompareArguments parse_compare_arguments(const Arguments& arguments) {
   CompareArguments a;
-  OptionList options("Compares picture A with the reference B, both EXR or PNG (decoded to linear).",
-                     "Raytracing compare");
+  OptionList options(
+      "Compares picture A with the reference B, both EXR or PNG (decoded to linear).",
+      "Raytracing compare");
   options.add_text("A", a.test, "FILE", "The picture to judge");
   options.add_text("B", a.reference, "FILE", "The reference");
   options.add_text("--mask", a.mask, "FILE",
-                   "Picture of the same size: only pixels where it is white (linear mean of R, G, B "
-                   ">= 0.5) count");
+                   "Picture of the same size: only pixels where it is white (linear mean of R, G, "
+                   "B >= 0.5) count");
   options.add_text("--diff", a.diff, "FILE",
                    "Write the relative squared error of each pixel in false colours, .png or .exr: "
                    "black (1e-5 and less) to light yellow (10 and more); cyan is not finite, grey "

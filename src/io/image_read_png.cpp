@@ -124,8 +124,8 @@ std::vector<float> linear_values(const PngHeader& header, const std::vector<png_
   std::vector<float> values;
   values.reserve(bytes.size() / sample_bytes / 4 * 3);
   for (std::size_t sample = 0; sample < bytes.size() / sample_bytes; ++sample) {
-    const std::size_t code = header.wide ? std::size_t{bytes[2 * sample]} << 8 | bytes[2 * sample + 1]
-                                         : std::size_t{bytes[sample]};
+    const png_byte* at = bytes.data() + sample * sample_bytes;
+    const std::size_t code = header.wide ? std::size_t{at[0]} << 8 | at[1] : std::size_t{at[0]};
     if (sample % 4 != 3)
       values.push_back(linear[code]);
     else if (code != most)

@@ -1,53 +1,20 @@
-// The subcommand compare: its numbers, files, notes and exit codes.
+// The subcommand compare: its numbers and the files it writes.
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <random>
 #include <sstream>
 
 #include "raytracing/io/image_reader.h"
 #include "raytracing/study/error_picture.h"
 #include "raytracing/study/flip.h"
-#include "support/cli_folder.h"
+#include "support/compare_folder.h"
 
 namespace raytracing {
 namespace {
 
 using Names = std::vector<std::string>;
-
-ImageData picture(int width, int height, std::vector<float> values, ImageMetadata metadata = {}) {
-  return {width, height, {"R", "G", "B"}, std::move(values), std::move(metadata)};
-}
-
-ImageData random_picture(int width, int height, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> uniform(0, 1);
-  ImageData image = picture(width, height, {});
-  for (int i = 0; i < 3 * width * height; ++i) image.values.push_back(uniform(random));
-  return image;
-}
-
-struct CompareFolder : CliFolder {
-  void write(const std::string& name, const ImageData& image) const {
-    folder.write(name, encode_image(image, image_format(name)));
-  }
-  RunResult compare(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "compare");
-    return run(arguments);
-  }
-};
-
-/// A folder with a.exr and b.exr, the same but for one channel: |x-r| = 0.5, at pixel 1,0.
-struct OneChannelOff : CompareFolder {
-  OneChannelOff() {
-    write("a.exr", picture(2, 1, {1, 1, 1, 1, 1, 0.5f}));
-    write("b.exr", picture(2, 1, {1, 1, 1, 1, 1, 1}));
-  }
-};
 
 TEST(Compare, PrintsNumbersWithTheirFormulas) {
   const OneChannelOff folder;
@@ -118,47 +85,10 @@ TEST(Compare, EqualPicturesHaveNoError) {
   EXPECT_EQ(folder.json("c.json")["flip"], 0);
 }
 
-TEST(Compare, TheLimitDecidesTheExitCode) {
-  const OneChannelOff folder;
-  EXPECT_EQ(folder.compare({"a.exr", "b.exr", "--max-relmse", "0.0413"}).exit_code, 0);
-  const RunResult above = folder.compare({"a.exr", "b.exr", "--max-relmse=.0412", "--json", "j"});
-  EXPECT_EQ(above.exit_code, 1);
-  EXPECT_EQ(above.err, "Raytracing: relMSE 0.0412541 is not within --max-relmse 0.0412\n");
-  EXPECT_NE(above.out.find("relMSE "), std::string::npos);
-  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "j"}));
-}
-
-TEST(Compare, NonFinitePixelsAreToldAndNotWithinAnyLimit) {
-  const CompareFolder folder;
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  folder.write("a.exr", picture(3, 1, {1, 1, 1, nan, 1, 1, 1, 1, 1}));
-  folder.write("b.exr", picture(3, 1, {1, 1, 1, 1, 1, 1, 1, 1, -1 / 0.0f}));
-  const RunResult run = folder.compare({"a.exr", "b.exr", "--diff", "d.png"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("R, G and B of 1 pixels\n"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("non-finite x              1"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("non-finite r              1"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("relMSE                    0"), std::string::npos) << run.out;
-  const RunResult limit = folder.compare({"a.exr", "b.exr", "--max-relmse", "1e30"});
-  EXPECT_EQ(limit.exit_code, 1);
-  EXPECT_EQ(limit.err, "Raytracing: 1 pixels are not finite\n");
-  EXPECT_EQ(folder.compare({"b.exr", "b.exr", "--max-relmse", "1"}).exit_code, 1);
-}
-
-// Without a pixel that counts there is no error to be within a limit.
-TEST(Compare, AMaskThatLeavesNothingPassesNoLimit) {
-  const OneChannelOff folder;
-  folder.write("none.png", picture(2, 1, {0, 0, 0, 0, 0, 0}));
-  const RunResult run =
-      folder.compare({"a.exr", "b.exr", "--mask", "none.png", "--max-relmse", "1"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find(" of 0 pixels\n"), std::string::npos) << run.out;
-}
-
 TEST(Compare, TheMaskDecidesWhatCounts) {
   const OneChannelOff folder;
-  folder.write("first.png", picture(2, 1, {1, 1, 1, 0, 0, 0}));
-  folder.write("second.exr", picture(2, 1, {0, 0, 0, 1, 1, 1}));
+  folder.write("first.png", rgb_picture(2, 1, {1, 1, 1, 0, 0, 0}));
+  folder.write("second.exr", rgb_picture(2, 1, {0, 0, 0, 1, 1, 1}));
   const auto relmse = [&](const std::string& mask) {
     EXPECT_EQ(folder.compare({"a.exr", "b.exr", "--mask", mask, "--json", "j"}).exit_code, 0);
     return folder.json("j")["relmse"].get<double>();
@@ -192,7 +122,7 @@ TEST(Compare, TakesGreyPictures) {
   ASSERT_TRUE(output->open(folder.folder / "grey.png", {2, 1, 1, OIIO::TypeDesc::UINT8}));
   ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, codes.data()));
   output->close();
-  folder.write("b.exr", picture(2, 1, {0, 0, 0, 1, 1, 1}));
+  folder.write("b.exr", rgb_picture(2, 1, {0, 0, 0, 1, 1, 1}));
   EXPECT_EQ(folder.compare({"grey.png", "b.exr", "--max-relmse", "0"}).exit_code, 0);
 }
 
@@ -213,8 +143,8 @@ TEST(Compare, WritesTheErrorPicture) {
   }
 }
 
-// Two renderings with independent samples. The bounds are wide, for the mean of a pixel's 64 samples
-// is not normal yet, and there are few pixels.
+// Two renderings with independent samples. The bounds are wide, for the mean of a pixel's 64
+// samples is not normal yet, and there are few pixels.
 TEST(Compare, VarianceLayersGiveZScores) {
   const CompareFolder folder;
   for (const auto& [name, seed] : {std::pair{"a.exr", "1"}, {"b.exr", "2"}})
@@ -233,109 +163,6 @@ TEST(Compare, VarianceLayersGiveZScores) {
   EXPECT_EQ(j["z_scores"].get<int>() + j["z_no_variance_equal"].get<int>() +
                 j["z_no_variance_different"].get<int>(),
             12 * 8 * 3);
-}
-
-TEST(Compare, HeadersSpeakAgainstTheComparison) {
-  const CompareFolder folder;
-  const auto write = [&](const char* name, ImageMetadata metadata) {
-    folder.write(name, picture(1, 1, {1, 1, 1}, std::move(metadata)));
-  };
-  const std::string hash = "sceneHash";
-  write("plain.exr", {});
-  write("one.exr", {{hash, "01"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
-  write("seed.exr", {{hash, "01"}, {"seed", std::int64_t{4}}, {"sampler", "sobol"}});
-  write("other.exr", {{hash, "02"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
-  write("biased.exr", {{"lightSampling", "line-ratio"}, {"lightSamplingBiased", "yes"}});
-  write("part.exr", {{"complete", "no, stopped early"}});
-  const std::string same =
-      "note: both pictures have the same seed: their errors are not independent\n";
-  for (const auto& [a, b, notes] : std::vector<std::array<std::string, 3>>{
-           {"plain.exr", "plain.exr", ""},
-           {"plain.exr", "one.exr", ""},
-           {"one.exr", "seed.exr", ""},
-           {"one.exr", "one.exr", same},
-           {"one.exr", "other.exr", "warning: of different scenes: sceneHash 01 and 02\n"},
-           {"plain.exr", "biased.exr",
-            "note: biased.exr: made by the biased method line-ratio: more samples do not bring it "
-            "to the true picture\n"},
-           {"part.exr", "plain.exr",
-            "warning: part.exr: its rendering was stopped early\n"}}) {
-    const RunResult run = folder.compare({a, b, "--max-relmse", "0"});
-    EXPECT_EQ(run.exit_code, 0) << a << " " << b;
-    EXPECT_EQ(run.err, notes) << a << " " << b;
-  }
-}
-
-TEST(Compare, RenderedPicturesCarryWhatTheNotesNeed) {
-  const CompareFolder folder;
-  ASSERT_EQ(folder.render({"-o", "a.exr", "--light-sampling", "line-ratio"}).exit_code, 0);
-  ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2"}).exit_code, 0);
-  EXPECT_EQ(folder.compare({"a.exr", "b.exr"}).err.substr(0, 41),
-            "note: a.exr: made by the biased method li");
-}
-
-void expect_one_line(const RunResult& run, int code, const std::string& line) {
-  EXPECT_EQ(run.exit_code, code);
-  EXPECT_EQ(run.err, "Raytracing: " + line + "\n");
-  EXPECT_EQ(run.out, "");
-}
-
-TEST(Compare, BadPicturesEndWithThree) {
-  const OneChannelOff folder;
-  folder.write("wide.exr", picture(3, 1, std::vector<float>(9)));
-  folder.folder.write("text.png", "no picture");
-  folder.folder.write("cut.exr", folder.bytes("a.exr").substr(0, 300));
-  const Names before = folder.names();
-  const auto compare = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--json", "j", "--diff", "d.png"});
-    return folder.compare(arguments);
-  };
-  expect_one_line(compare({"nope.exr", "a.exr"}), 3, "nope.exr: No such file or directory");
-  expect_one_line(compare({"a.exr", "text.png"}), 3, "text.png: neither an EXR nor a PNG picture");
-  expect_one_line(compare({"a.exr", "wide.exr"}), 3, "a.exr: 2x1 pixels, but wide.exr has 3x1");
-  expect_one_line(compare({"a.exr", "b.exr", "--mask", "wide.exr"}), 3,
-                  "wide.exr: 3x1 pixels, but the pictures have 2x1");
-  const RunResult cut = compare({"cut.exr", "b.exr"});
-  EXPECT_EQ(cut.exit_code, 3);
-  EXPECT_EQ(lines_of(cut.err), 1u);
-  EXPECT_TRUE(cut.err.starts_with("Raytracing: cut.exr: ")) << cut.err;
-  EXPECT_EQ(folder.names(), before);
-}
-
-TEST(Compare, WrongUseEndsWithTwo) {
-  const OneChannelOff folder;
-  const std::string hint = " (--help lists all options)";
-  expect_one_line(folder.compare({}), 2, "two pictures are needed" + hint);
-  expect_one_line(folder.compare({"a.exr"}), 2, "two pictures are needed" + hint);
-  expect_one_line(folder.compare({"a.exr", "b.exr", "c.exr"}), 2,
-                  "c.exr: one argument too many" + hint);
-  expect_one_line(folder.compare({"a.exr", "b.exr", "--dif", "x.png"}), 2,
-                  "--dif: no such option; the nearest is --diff" + hint);
-  expect_one_line(folder.compare({"a.exr", "b.exr", "--diff", "x.jpg"}), 2,
-                  "x.jpg: the name of an image must end in .png or .exr");
-  for (const std::string limit : {"x", "1x", "nan", "inf", "", "0x1p3", "1,5"})
-    expect_one_line(folder.compare({"a.exr", "b.exr", "--max-relmse=" + limit}), 2,
-                    limit.empty() ? "--max-relmse: needs a value" + hint
-                                  : "--max-relmse: '" + limit + "' is not a number");
-  const RunResult negative = folder.compare({"a.exr", "b.exr", "--max-relmse", "-1"});
-  EXPECT_EQ(negative.exit_code, 2);
-  EXPECT_TRUE(negative.err.starts_with("Raytracing: --max-relmse: -1 is not in 0 .. "))
-      << negative.err;
-}
-
-TEST(Compare, OutputsThatCannotBeWrittenEndWithFour) {
-  const OneChannelOff folder;
-  for (const std::vector<std::string>& outputs :
-       {std::vector<std::string>{"--json", "nope/j"}, {"--diff", "nope/d.png"},
-        {"--diff", "d.png", "--json", "nope/j"}, {"--json", "."}}) {
-    std::vector<std::string> arguments = {"a.exr", "b.exr"};
-    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
-    const RunResult run = folder.compare(arguments);
-    EXPECT_EQ(run.exit_code, 4);
-    EXPECT_EQ(lines_of(run.err), 1u) << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
-  }
 }
 
 TEST(Compare, HelpNamesEveryOption) {

@@ -8,12 +8,12 @@
 
 namespace raytracing {
 
-/// z = (x-r) / sqrt(var_x + var_r) of every channel of every pixel, where var is the picture's layer
-/// variance.R/G/B (the variance of the pixel mean; 0 for a picture without it). Where two pictures
-/// of many independent samples have the same expectation, z is nearly a standard normal variable.
-/// Few samples of a long-tailed distribution give more large ones and a mean that is not 0, since
-/// small values come with small variances. A variance that takes quasi-random samples as
-/// independent is too large: then there are too few.
+/// z = (x-r) / sqrt(var_x + var_r) of every channel of every pixel, where var is the picture's
+/// layer variance.R/G/B: the variance of the pixel mean, 0 for a picture without the layers. Where
+/// two pictures of many independent samples have the same expectation, z is nearly a standard
+/// normal variable. Few samples of a long-tailed distribution give more large ones and a mean that
+/// is not 0, since small values come with small variances. A variance that takes quasi-random
+/// samples as independent is too large: then there are too few large ones.
 struct ZScores {
   double share_196, share_3;  ///< share of |z| > 1.96 and > 3; NaN without scores
   double mean, rms;           ///< of z; expected: 0 and 1
