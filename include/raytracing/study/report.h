@@ -20,7 +20,7 @@ struct ReportChart {
   std::string svg;  ///< an SVG document; shown as a picture, so that nothing in it is executed
 };
 
-/// A table. A cell that reads as a number is set flush right.
+/// A table. A column is set flush right when its cells begin with a number or are empty or "-".
 struct ReportTable {
   std::string caption;
   std::vector<std::string> header;
@@ -31,7 +31,8 @@ struct ReportTable {
 struct Report {
   std::string title;
   std::vector<std::string> notes;       ///< paragraphs below the title: what to conclude
-  std::vector<ReportPicture> pictures;  ///< of one size, at about equal time; the reference last
+  /// Of one size, at about equal time. The first two are shown first; a reference may be the last.
+  std::vector<ReportPicture> pictures;
   std::vector<ReportChart> charts;
   std::vector<ReportTable> tables;
   std::vector<std::pair<std::string, std::string>> facts;  ///< how it was made: name and value
