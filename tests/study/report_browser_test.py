@@ -203,12 +203,15 @@ class ReportPage(unittest.TestCase):
     def test_touch_moves_the_split(self):
         box = self.element("divider").rect
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 4
+        # It begins upwards, where a finger elsewhere would scroll the page.
         for kind, points in (("touchStart", [{"x": x, "y": y}]),
-                             ("touchMove", [{"x": x - 100, "y": y}]),
-                             ("touchMove", [{"x": x - 288, "y": y}]), ("touchEnd", [])):
+                             ("touchMove", [{"x": x, "y": y - 80}]),
+                             ("touchMove", [{"x": x - 100, "y": y - 90}]),
+                             ("touchMove", [{"x": x - 288, "y": y - 100}]), ("touchEnd", [])):
             self.browser.execute_cdp_cmd("Input.dispatchTouchEvent",
                                          {"type": kind, "touchPoints": points})
         self.assertEqual(self.split(), 20)
+        self.assertEqual(self.browser.execute_script("return scrollY"), 0)
 
     def test_arrow_keys_move_the_split(self):
         self.press(Keys.ARROW_RIGHT)
@@ -314,6 +317,9 @@ class ReportPage(unittest.TestCase):
 
     def test_keys_leave_other_controls_alone(self):
         self.element("right").send_keys("r")  # the select box's own search
+        self.assertEqual(self.chosen(), [LABELS[0], LABELS[2]])
+        self.element("right").send_keys("e2")
+        self.assertEqual(self.element("errors").get_attribute("aria-pressed"), "false")
         self.assertEqual(self.chosen(), [LABELS[0], LABELS[2]])
         self.element("zoom-in").send_keys(" ")  # a click, not a flip
         self.assertEqual(self.zoom(), 3)

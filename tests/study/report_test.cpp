@@ -56,7 +56,8 @@ TEST(FillTemplate, EscapesRepeatsAndLeavesOut) {
   EXPECT_EQ(fill_template("", data), "");
   EXPECT_EQ(fill_template("{{name}}|{{! no }}|{{name}}", data), "a&lt;b||a&lt;b");
   EXPECT_EQ(fill_template("{{#texts}}[{{.}}]{{/texts}}", data), "[x][{{name}}]");
-  EXPECT_EQ(fill_template("{{#rows}}{{cell}}{{name}} {{/rows}}", data), "1a&lt;b 2inner ");
+  EXPECT_EQ(fill_template("{{#rows}}{{cell}}{{name}} {{/rows}}{{name}}", data),
+            "1a&lt;b 2inner a&lt;b");
   EXPECT_EQ(fill_template("{{#name}}({{.}}){{/name}}", data), "(a&lt;b)");
   EXPECT_EQ(fill_template("-{{#none}}1{{/none}}{{#empty}}2{{/empty}}{{#no_rows}}3{{/no_rows}}-",
                           data),
