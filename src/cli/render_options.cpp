@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kMaxImageSize = 65536;
 constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
+constexpr std::uint64_t kMaxReplicates = 65536;
 constexpr int kMaxThreads = 1024;
 constexpr int kMaxLineRays = 65536;
 constexpr std::uint64_t kMaxDepth = std::uint64_t{1} << 30;
@@ -69,12 +70,19 @@ struct RenderOptionList : OptionList {
     add_number("--height", a.height, 1, kMaxImageSize,
                "Picture height in pixels; default: the scene's");
     add_switch("--variance", a.variance,
-               "Add the layers variance.R/G/B, sample variance of the pixel mean, to an EXR. It "
-               "takes the samples as independent: with --sampler sobol it is too large");
+               "Add the layers variance.R/G/B, variance of the pixel mean, to an EXR. Without "
+               "--replicates it takes the samples as independent: right with --sampler "
+               "independent, too large with sobol");
   }
 
   void add_sampling_options() {
     add_number("--spp", a.spp, 1, kMaxSpp, "Samples per pixel; default: the scene's");
+    add_number("--replicates", a.replicates, 1, kMaxReplicates,
+               "Take the samples of each pixel in N groups, each scrambled by its own random "
+               "numbers; N divides --spp; default 1. With 2 or more (8 or 16 are good) --variance "
+               "is that between the group means over N, which is honest for sobol too; a 95 % "
+               "interval takes Student's t with N-1 degrees of freedom (2.36 for 8, 2.13 for 16). "
+               "The picture is a little noisier with sobol than without");
     add_choice("--light-sampling", direct_method_names(),
                [this](const std::string& name) { a.light_sampling = name; },
                "How direct light is sampled: " + alternatives(direct_method_names()) +
@@ -133,6 +141,10 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
   o.width = a.width.value_or(scene.width);
   o.height = a.height.value_or(scene.height);
   o.spp = a.spp.value_or(static_cast<std::uint64_t>(scene.spp));
+  o.replicates = a.replicates;
+  if (o.spp % o.replicates != 0)
+    throw UsageError(fmt::format("--replicates: {} does not divide {} samples per pixel",
+                                 o.replicates, o.spp));
   o.shade.method =
       find_direct_method(a.light_sampling.empty() ? scene.light_sampling : a.light_sampling);
   o.shade.max_depth = a.max_depth;

@@ -21,6 +21,7 @@ struct RenderArguments {
 
   std::string scene;
   std::optional<std::uint64_t> spp;
+  std::uint64_t replicates = 1;
   std::string light_sampling;  // "" = the scene's
   int line_rays = 4;
   std::vector<std::string> outputs;
@@ -42,7 +43,8 @@ struct RenderArguments {
 /// Parses and checks the command line. Throws UsageError.
 RenderArguments parse_render_arguments(const Arguments& arguments);
 
-/// The settings of the rendering: the command line's, else the scene file's.
+/// The settings of the rendering: the command line's, else the scene file's. Throws UsageError where
+/// they do not fit together.
 RenderOptions render_options(const RenderArguments& arguments, const SceneFile& scene);
 
 }  // namespace raytracing

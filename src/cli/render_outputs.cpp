@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "build_info.h"
@@ -22,6 +23,26 @@ ImageMetadata::value_type::second_type whole_number(std::uint64_t value) {
   return static_cast<std::int64_t>(value);
 }
 
+// How the layers variance.R/G/B were estimated, for people.
+std::string variance_kind(const RenderRecord& r) {
+  const std::uint64_t groups = r.result.film.fewest_groups();
+  if (r.options.replicates > 1)
+    return groups < 2 ? "unknown: fewer than two replicates are complete"
+                      : fmt::format("between the means of replicates: honest; Student's t with {} "
+                                    "degrees of freedom",
+                                    groups - 1);
+  return r.options.sampler == SamplerKind::independent
+             ? "between independent samples: honest"
+             : "between samples as if they were independent: too large for sobol";
+}
+
+// Of a pixel with a single replicate nothing is known: not even a wide interval is wide enough.
+DVec3 variance_layer(const Film::Pixel& pixel, const RenderOptions& options) {
+  if (options.replicates > 1 && pixel.groups < 2)
+    return DVec3(std::numeric_limits<double>::infinity());
+  return pixel.variance_of_mean();
+}
+
 ImageMetadata metadata(const RenderRecord& r) {
   const DirectMethod& method = *r.options.shade.method;
   const auto& depth = r.options.shade.max_depth;
@@ -33,6 +54,7 @@ ImageMetadata metadata(const RenderRecord& r) {
       {"sceneHash", fmt::format("{:016x}", r.scene.hash)},
       {"seed", whole_number(r.options.seed)},
       {"spp", static_cast<std::int64_t>(r.options.spp)},
+      {"replicates", static_cast<std::int64_t>(r.options.replicates)},
       {"sampler", std::string(to_string(r.options.sampler))},
       {"lightSampling", std::string(method.name)},
       {"lightSamplingBiased", std::string(method.unbiased ? "no" : "yes")},
@@ -61,9 +83,10 @@ ImageData to_image(const RenderRecord& r, bool variance) {
         for (double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
       };
       append(film.at(x, y).mean());
-      if (variance) append(film.at(x, y).variance_of_mean());
+      if (variance) append(variance_layer(film.at(x, y), r.options));
     }
   image.metadata = metadata(r);
+  if (variance) image.metadata.emplace_back("varianceKind", variance_kind(r));
   return image;
 }
 
@@ -76,6 +99,8 @@ std::string stats_json(const RenderRecord& r) {
   j["light_sampling_biased"] = !method.unbiased;
   j["sampler"] = to_string(r.options.sampler);
   j["spp"] = r.options.spp;
+  j["replicates"] = r.options.replicates;
+  j["variance_kind"] = variance_kind(r);
   j["width"] = r.options.width;
   j["height"] = r.options.height;
   j["max_depth"] = nullptr;

@@ -1,12 +1,26 @@
 #include "raytracing/render/film.h"
 
+#include <algorithm>
+
 namespace raytracing {
 
+DVec3 Film::Pixel::mean() const {
+  if (groups > 0) return sum / static_cast<double>(counted);
+  return samples == 0 ? open_sum : open_sum / static_cast<double>(samples);
+}
+
 DVec3 Film::Pixel::variance_of_mean() const {
-  if (samples < 2) return DVec3(0.0);
-  const double n = static_cast<double>(samples);
+  if (groups < 2) return DVec3(0.0);
+  const double n = static_cast<double>(groups);
+  const double group_size = static_cast<double>(counted) / n;
   const DVec3 centred = sum_of_squares - sum * sum / n;
-  return glm::max(centred, DVec3(0.0)) / (n * (n - 1));
+  return glm::max(centred, DVec3(0.0)) / (n * (n - 1) * group_size * group_size);
+}
+
+std::uint64_t Film::fewest_groups() const {
+  std::uint64_t fewest = pixels_.front().groups;
+  for (const Pixel& pixel : pixels_) fewest = std::min(fewest, pixel.groups);
+  return fewest;
 }
 
 DVec3 Film::mean() const {

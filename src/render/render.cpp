@@ -106,11 +106,13 @@ class Job {
     const int y1 = std::min(y0 + options_.tile_size, options_.height);
     const std::uint64_t first = pass * kSamplesPerPass;
     const std::uint64_t last = std::min(first + kSamplesPerPass, options_.spp);
+    const std::uint64_t group_size =
+        options_.replicates > 1 ? options_.spp / options_.replicates : 1;
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         Film::Pixel pixel = result_.film.at(x, y);
         for (std::uint64_t sample = first; sample < last; ++sample)
-          pixel.add(finite_sample(x, y, sample, share));
+          pixel.add(finite_sample(x, y, sample, share), group_size);
         result_.film.at(x, y) = pixel;
       }
   }
@@ -175,8 +177,14 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
 #endif
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
                  int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
+  std::uint64_t replicate = 0;
+  if (options.replicates > 1) {
+    const std::uint64_t group_size = options.spp / options.replicates;
+    replicate = sample / group_size;
+    sample %= group_size;
+  }
   PathSampler sampler(options.sampler, options.seed, static_cast<std::uint32_t>(x),
-                      static_cast<std::uint32_t>(y), sample);
+                      static_cast<std::uint32_t>(y), sample, replicate);
   const Vec2 jitter = sampler.pair(0);
   const Ray ray = camera.ray(static_cast<float>(x) + jitter.x, static_cast<float>(y) + jitter.y);
   return shade(scene, options.shade, ray, sampler, visibility, log);

@@ -26,10 +26,11 @@ std::optional<SamplerKind> sampler_kind(std::string_view name) {
 }
 
 PathSampler::PathSampler(SamplerKind kind, std::uint64_t seed, std::uint32_t x, std::uint32_t y,
-                         std::uint64_t sample)
+                         std::uint64_t sample, std::uint64_t replicate)
     : kind_(kind), reversed_sample_(reverse_bits(static_cast<std::uint32_t>(sample))) {
   // The sequence has 2^32 points; further samples start another scrambling.
-  const std::uint64_t epoch = kind == SamplerKind::sobol ? sample >> 32 : sample;
+  const std::uint64_t epoch =
+      (replicate << 40) + (kind == SamplerKind::sobol ? sample >> 32 : sample);
   std::uint64_t key = mix_bits(seed + 0x9e3779b97f4a7c15u);
   key = mix_bits(key ^ (std::uint64_t{y} << 32 | x));
   key = mix_bits(key + epoch * 0xd1342543de82ef95u);

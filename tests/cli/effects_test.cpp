@@ -135,6 +135,47 @@ TEST(Effects, VarianceIsThatOfTheTwoSamples) {
     }
 }
 
+TEST(Effects, OneReplicateIsNoneAndMoreAreAnotherPicture) {
+  const std::vector<float> base = pixels({"--spp", "8", "--variance"});
+  EXPECT_EQ(base, pixels({"--spp", "8", "--variance", "--replicates", "1"}));
+  EXPECT_NE(base, pixels({"--spp", "8", "--variance", "--replicates", "2"}));
+}
+
+TEST(Effects, VarianceOfReplicatesIsThatOfTheirMeans) {
+  // With two replicates: mean m = (a + b) / 2 and variance of the mean ((a - b) / 2)^2. The first
+  // replicate is the picture of half as many samples.
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"-o", "two.exr", "--variance", "--spp", "10", "--replicates", "2",
+                           "--stats", "s.json"})
+                .exit_code,
+            0);
+  ASSERT_EQ(folder.render({"-o", "one.exr", "--spp", "5"}).exit_code, 0);
+  const ReadImage two = read_image(folder.folder / "two.exr");
+  const ReadImage one = read_image(folder.folder / "one.exr");
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 12; ++x) {
+      const double half = double{two.at(x, y, "G")} - one.at(x, y, "G");
+      EXPECT_NEAR(two.at(x, y, "variance.G"), half * half, 1e-5 * half * half + 1e-9);
+    }
+  EXPECT_EQ(two.attribute("replicates"), "2");
+  EXPECT_NE(two.attribute("varianceKind").find("replicates"), std::string::npos);
+  EXPECT_NE(two.attribute("varianceKind").find("1 degrees of freedom"), std::string::npos);
+  EXPECT_EQ(folder.json("s.json")["replicates"], 2);
+  EXPECT_EQ(folder.json("s.json")["variance_kind"], two.attribute("varianceKind"));
+}
+
+TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
+  const CliFolder folder;
+  const auto kind = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--quiet", "-o", "x.exr"});
+    EXPECT_EQ(folder.render(options).exit_code, 0);
+    return read_image(folder.folder / "x.exr").attribute("varianceKind");
+  };
+  EXPECT_EQ(kind({}), "");
+  EXPECT_NE(kind({"--variance"}).find("too large"), std::string::npos);
+  EXPECT_NE(kind({"--variance", "--sampler", "independent"}).find("honest"), std::string::npos);
+}
+
 TEST(Effects, ProgressLinesAreJsonAndNeverEndEarly) {
   const CliFolder folder;
   const RunResult run = folder.render({"--progress", "jsonl", "--width", "100", "--height", "100",
@@ -208,6 +249,29 @@ TEST(Effects, ReplayIsTheSampleOfThePicture) {
   }
   EXPECT_GT(lit, 1);
   EXPECT_EQ(folder.names(), std::vector<std::string>{"x.exr"}) << "--replay writes no picture";
+}
+
+TEST(Effects, ReplayKnowsTheReplicates) {
+  // Two replicates of one sample each: the picture is the mean of two replays.
+  const CliFolder folder;
+  ASSERT_EQ(folder.render({"--replicates", "2", "-o", "x.exr"}).exit_code, 0);
+  const ReadImage image = read_image(folder.folder / "x.exr");
+  int lit = 0;
+  for (int x = 3; x < 9; ++x) {
+    float sum = 0;
+    for (const char* sample : {",5,0", ",5,1"}) {
+      const RunResult run = folder.render(
+          {"--quiet", "--replicates", "2", "--replay", std::to_string(x) + sample});
+      const std::size_t at = run.out.find("\nradiance (");
+      ASSERT_NE(at, std::string::npos) << run.out;
+      float r = -1;
+      ASSERT_EQ(std::sscanf(run.out.c_str() + at, "\nradiance (%f", &r), 1);
+      sum += r;
+    }
+    EXPECT_NEAR(image.at(x, 5, "R"), sum / 2, 1e-6f * sum);
+    lit += sum > 0;
+  }
+  EXPECT_GT(lit, 1);
 }
 
 }  // namespace

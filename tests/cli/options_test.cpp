@@ -23,7 +23,7 @@ const std::map<std::string, std::string> kContract{
     {"--seed", "7"},           {"--threads", "2"},      {"--sampler", "independent"},
     {"--stats", "x.json"},     {"--progress", "jsonl"}, {"--quiet", ""},
     {"--strict", ""},          {"--replay", "0,0,0"},   {"--list-methods", ""},
-    {"--version", ""},         {"--help", ""},
+    {"--version", ""},         {"--help", ""},          {"--replicates", "1"},
 };
 
 /// The names that the help lists at the start of its lines.
@@ -140,6 +140,7 @@ TEST(WrongOptions, NumbersOutOfRange) {
            {"--max-depth", "1", "1073741824", "1073741825"},
            {"--threads", "1", "1024", "1025"},
            {"--line-rays", "1", "65536", "65537"},
+           {"--replicates", "1", "65536", "65537"},
            {"--seed", "0", "18446744073709551615", "18446744073709551616"}}) {
     const std::string range = " is not in " + low + " .. " + high + "\n";
     for (const std::string& value :
@@ -203,6 +204,17 @@ TEST(WrongOptions, ReplayOutsideOfThePicture) {
                            " lies outside 12x8 pixels and 2 spp\n");
     EXPECT_EQ(run.out, "");
   }
+}
+
+TEST(WrongOptions, ReplicatesThatDoNotDivideTheSamples) {
+  const CliFolder folder;
+  for (const auto& [spp, replicates] : {std::pair{"10", "4"}, {"2", "3"}, {"1", "2"}}) {
+    const RunResult run = folder.render({"--quiet", "--spp", spp, "--replicates", replicates});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(run.err, std::string("Raytracing: --replicates: ") + replicates +
+                           " does not divide " + spp + " samples per pixel\n");
+  }
+  EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
 
 TEST(Options, LeadingZerosAreDecimal) {

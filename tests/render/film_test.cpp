@@ -41,6 +41,23 @@ TEST(Film, MeanIsThatOfThePixelsWhateverTheirSamples) {
   EXPECT_EQ(film.mean(), DVec3(2.5));
 }
 
+TEST(Film, GroupsCountWhenTheyAreComplete) {
+  Film::Pixel pixel;
+  pixel.add(Rgb(1.0f), 2);
+  EXPECT_EQ(pixel.mean(), DVec3(1.0));
+  EXPECT_EQ(pixel.groups, 0u);
+  pixel.add(Rgb(3.0f), 2);  // mean 2
+  EXPECT_EQ(pixel.variance_of_mean(), DVec3(0.0));
+  for (const float sample : {4.0f, 8.0f}) pixel.add(Rgb(sample), 2);  // mean 6
+  EXPECT_EQ(pixel.mean(), DVec3(4.0));
+  EXPECT_EQ(pixel.variance_of_mean(), DVec3(4.0));  // 8 / (2 - 1) / 2
+  pixel.add(Rgb(100.0f), 2);
+  EXPECT_EQ(pixel.mean(), DVec3(4.0));
+  EXPECT_EQ(pixel.variance_of_mean(), DVec3(4.0));
+  EXPECT_EQ(pixel.samples, 5u);
+  EXPECT_EQ(pixel.counted, 4u);
+}
+
 TEST(Film, RowsRunFromTheTop) {
   Film film(3, 2);
   film.at(2, 1).add(Rgb(1.0f));

@@ -16,6 +16,9 @@ struct RenderOptions {
   int width = 784;
   int height = 784;
   std::uint64_t spp = 16;
+  /// Groups of each pixel's samples, each with its own scrambles; divides spp. Group r holds the
+  /// samples r spp / replicates and on. With 2 or more, the variances are those of the groups.
+  std::uint64_t replicates = 1;
   ShadeOptions shade;
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;

@@ -21,13 +21,17 @@ std::optional<SamplerKind> sampler_kind(std::string_view name);
 /// dimension), so that a picture depends neither on threads nor on order. Numbers come in pairs;
 /// pairs are made sixteen at a time, which vectorises. All numbers lie in [0,1).
 ///
+/// Replicates of one pixel have scrambles of their own: their means are independent, so that the
+/// spread of these tells the error of Sobol' samples, which the spread of the samples does not.
+///
 /// Pairs 0 and 1 are for the position in the pixel and the first light sample. Direct light is an
 /// integral over all four, and only where they are stratified together does its error fall faster
 /// than that of 2D pairs padded at random.
 class PathSampler {
  public:
+  /// `sample` < 2^40 counts within the replicate; `replicate` < 2^24.
   PathSampler(SamplerKind kind, std::uint64_t seed, std::uint32_t x, std::uint32_t y,
-              std::uint64_t sample);
+              std::uint64_t sample, std::uint64_t replicate = 0);
 
   /// Pair number `index` of this sample.
   Vec2 pair(std::uint32_t index) {
@@ -48,7 +52,7 @@ class PathSampler {
   void make_batch(std::uint32_t index);
 
   SamplerKind kind_;
-  std::uint32_t key_[2];           // of pixel and seed (sobol) or of the sample (independent)
+  std::uint32_t key_[2];           // of seed, pixel and replicate; independent: of the sample too
   std::uint32_t reversed_sample_;  // bit-reversed low half of the sample index
   std::uint32_t first_ = 0;        // pair held in x_[0], y_[0]
   alignas(64) std::array<float, kBatch> x_;
