@@ -7,25 +7,16 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include <algorithm>
 #include <set>
 
-#include "raytracing/io/file.h"
-#include "raytracing/io/image_file.h"
-#include "raytracing/io/scene_file.h"
-#include "raytracing/render/render.h"
-#include "support/compare_pictures.h"
-#include "support/read_image.h"
+#include "support/picture_test.h"
 
 namespace raytracing {
 namespace {
 
 constexpr int kSize = 64;
 constexpr std::uint64_t kSpp = 256;
-
-const std::filesystem::path kSource = RAYTRACING_SOURCE_DIR;
 
 std::filesystem::path reference_path(const std::string& scene) {
   return kSource / "tests/data/reference" / (scene + ".exr");
@@ -39,16 +30,8 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
-SceneDescription load_scene(const std::string& name) {
-  LoadReport report;
-  return load_scene_file((kSource / "scenes" / (name + ".toml")).string(), direct_method_names(),
-                         report)
-      .scene;
-}
-
 NoisyPicture render_picture(SceneDescription description, std::string_view method,
                             std::uint64_t seed) {
-  const Scene scene(std::move(description), 2);
   RenderOptions options;
   options.width = options.height = kSize;
   options.spp = kSpp;
@@ -56,59 +39,16 @@ NoisyPicture render_picture(SceneDescription description, std::string_view metho
   options.threads = 2;
   options.sampler = SamplerKind::independent;
   options.shade.method = find_direct_method(method);
-  const RenderResult result = render(scene, options, false, nullptr);
-  EXPECT_EQ(result.non_finite_samples, 0u);
-  NoisyPicture picture{kSize, kSize, static_cast<double>(kSpp), {}, {}};
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
-      picture.mean.push_back(result.film.at(x, y).mean());
-      picture.variance.push_back(result.film.at(x, y).variance_of_mean());
-    }
-  return picture;
+  return render_picture(std::move(description), options);
 }
 
 NoisyPicture read_reference(const std::string& scene) {
   const ReadImage image = read_with_oiio(reference_path(scene).string());
   EXPECT_EQ(image.attribute("sampler"), "independent");
   EXPECT_EQ(image.attribute("complete"), "yes");
-  NoisyPicture picture{image.spec.width, image.spec.height, std::stod(image.attribute("spp")), {},
-                       {}};
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
-      const auto channels = [&](const std::string& prefix) {
-        return DVec3(image.at(x, y, prefix + "R"), image.at(x, y, prefix + "G"),
-                     image.at(x, y, prefix + "B"));
-      };
-      picture.mean.push_back(channels(""));
-      picture.variance.push_back(channels("variance."));
-    }
-  return picture;
-}
-
-void write_picture(const std::filesystem::path& path, const std::vector<DVec3>& pixels) {
-  ImageData image{kSize, kSize, {"R", "G", "B"}, {}, {}};
-  for (const DVec3& p : pixels)
-    for (double c : {p.x, p.y, p.z}) image.values.push_back(static_cast<float>(c));
-  std::ofstream(path, std::ios::binary) << encode_image(image, image_format(path.string()));
-  std::cerr << "written: " << path.string() << "\n";
-}
-
-/// Picture, difference and z map for the people who have to find out why. In the PNG of the z map
-/// middle grey is 0, and 4 standard deviations end the scale.
-void write_artefacts(const std::string& name, const NoisyPicture& test,
-                     const NoisyPicture& reference, const PictureComparison& comparison) {
-  const std::filesystem::path folder = std::filesystem::current_path() / "regression_failures";
-  std::filesystem::create_directories(folder);
-  std::vector<DVec3> difference, shown;
-  for (std::size_t i = 0; i < test.mean.size(); ++i) {
-    difference.push_back(test.mean[i] - reference.mean[i]);
-    shown.push_back(0.2 + 0.05 * comparison.z[i]);
-  }
-  write_picture(folder / (name + ".png"), test.mean);
-  write_picture(folder / (name + ".exr"), test.mean);
-  write_picture(folder / (name + "_difference.exr"), difference);
-  write_picture(folder / (name + "_z.exr"), comparison.z);
-  write_picture(folder / (name + "_z.png"), shown);
+  EXPECT_EQ(image.spec.width, kSize);
+  EXPECT_EQ(image.spec.height, kSize);
+  return noisy_picture(image);
 }
 
 void expect_same(const std::string& scene, std::string_view method, std::uint64_t seed) {
