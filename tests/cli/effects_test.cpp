@@ -150,8 +150,8 @@ TEST(Effects, VarianceOfReplicatesIsThatOfTheirMeans) {
                 .exit_code,
             0);
   ASSERT_EQ(folder.render({"-o", "one.exr", "--spp", "5"}).exit_code, 0);
-  const ReadImage two = read_image(folder.folder / "two.exr");
-  const ReadImage one = read_image(folder.folder / "one.exr");
+  const ReadImage two = read_with_oiio(folder.folder / "two.exr");
+  const ReadImage one = read_with_oiio(folder.folder / "one.exr");
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 12; ++x) {
       const double half = double{two.at(x, y, "G")} - one.at(x, y, "G");
@@ -169,7 +169,7 @@ TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
   const auto kind = [&](std::vector<std::string> options) {
     options.insert(options.end(), {"--quiet", "-o", "x.exr"});
     EXPECT_EQ(folder.render(options).exit_code, 0);
-    return read_image(folder.folder / "x.exr").attribute("varianceKind");
+    return read_with_oiio(folder.folder / "x.exr").attribute("varianceKind");
   };
   EXPECT_EQ(kind({}), "");
   EXPECT_NE(kind({"--variance"}).find("too large"), std::string::npos);
@@ -255,7 +255,7 @@ TEST(Effects, ReplayKnowsTheReplicates) {
   // Two replicates of one sample each: the picture is the mean of two replays.
   const CliFolder folder;
   ASSERT_EQ(folder.render({"--replicates", "2", "-o", "x.exr"}).exit_code, 0);
-  const ReadImage image = read_image(folder.folder / "x.exr");
+  const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   int lit = 0;
   for (int x = 3; x < 9; ++x) {
     float sum = 0;

@@ -40,7 +40,7 @@ std::vector<Case> cases() {
 
 NoisyPicture read_reference(const Case& c) {
   const auto path = kSource / "tests/data/mitsuba" / (c.name() + ".exr");
-  const ReadImage image = read_image(path.string());
+  const ReadImage image = read_with_oiio(path.string());
   EXPECT_TRUE(image.attribute("generatedBy").starts_with("Mitsuba version 3."));
   EXPECT_EQ(image.attribute("scene"), "scenes/" + c.scene + ".toml");
   EXPECT_EQ(image.attribute("maxDepth"), c.direct ? "1" : "unlimited");

@@ -47,12 +47,14 @@ TEST(Replicates, MeanAndVarianceAreThoseOfTheGroups) {
     const RenderResult result = render_all(scene, options);
     const Camera camera(scene.camera(), options.width, options.height);
     Visibility visibility(scene);
+    PathLog log;
     double spread = 0;
     for_each_pixel(result.film, [&](int x, int y, const Film::Pixel& pixel) {
       DVec3 mean(0.0), squares(0.0);
       std::vector<DVec3> groups(5, DVec3(0.0));
       for (std::uint64_t i = 0; i < 60; ++i)
-        groups[i / 12] += DVec3(trace_sample(scene, camera, options, x, y, i, visibility)) / 12.0;
+        groups[i / 12] +=
+            DVec3(trace_sample(scene, camera, options, x, y, i, visibility, log)) / 12.0;
       for (const DVec3& group : groups) mean += group / 5.0;
       for (const DVec3& group : groups) squares += (group - mean) * (group - mean);
       EXPECT_EQ(pixel.samples, 60u);
@@ -94,12 +96,13 @@ TEST(Replicates, TheFirstIsTheShorterPicture) {
   const Scene scene = cornell();
   const Camera camera(scene.camera(), 13, 9);
   Visibility visibility(scene);
+  PathLog log;
   for (const SamplerKind sampler : kSamplers) {
     RenderOptions one = options_of(8, 1), four = options_of(32, 4);
     one.sampler = four.sampler = sampler;
     for (std::uint64_t i = 0; i < 8; ++i)
-      EXPECT_EQ(trace_sample(scene, camera, one, 6, 5, i, visibility),
-                trace_sample(scene, camera, four, 6, 5, i, visibility));
+      EXPECT_EQ(trace_sample(scene, camera, one, 6, 5, i, visibility, log),
+                trace_sample(scene, camera, four, 6, 5, i, visibility, log));
   }
 }
 
