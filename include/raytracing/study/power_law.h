@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace raytracing {
+
+/// The t >= 0 with P(|T| <= t) = `probability` for Student's distribution with `degrees` >= 1
+/// degrees of freedom; 0 <= probability < 1.
+double student_t_quantile(double probability, int degrees);
+
+/// y = exp(log_scale) * x^slope, the straight line of least squares through (log x, log y).
+struct PowerLaw {
+  struct Interval {
+    double low, high;
+  };
+
+  double slope = 0;
+  double log_scale = 0;
+  /// 95 % interval of the slope, from the scatter of the points about the line: noise and bend of
+  /// the curve both widen it. Empty for two points, which tell nothing of their scatter.
+  std::optional<Interval> slope_interval;
+  int points = 0;
+
+  double at(double x) const;
+};
+
+/// Needs two different x; otherwise empty. All x and y must be above 0.
+std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const double> y);
+
+}  // namespace raytracing
