@@ -1,0 +1,131 @@
+#include "raytracing/study/reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "raytracing/io/image_reader.h"
+#include "raytracing/study/rgb_view.h"
+
+namespace raytracing {
+namespace {
+
+std::vector<DVec3> variance_of_halves(const ImageData& picture) {
+  const RgbView a(picture, "halfA."), b(picture, "halfB.");
+  std::vector<DVec3> variance;
+  variance.reserve(a.pixels());
+  for (std::size_t i = 0; i < a.pixels(); ++i) {
+    const DVec3 half = (a[i] - b[i]) / 2.0;
+    variance.push_back(half * half);
+  }
+  return variance;
+}
+
+std::vector<DVec3> variance_layers(const ImageData& picture) {
+  const RgbView view(picture, "variance.");
+  std::vector<DVec3> variance;
+  variance.reserve(view.pixels());
+  for (std::size_t i = 0; i < view.pixels(); ++i) variance.push_back(view[i]);
+  return variance;
+}
+
+void expect_equal(const std::string& path, const char* what, const std::string& found,
+                  const std::string& wanted) {
+  if (found.empty() || found == wanted) return;
+  throw InputError(fmt::format("{}: not a reference for this chart: its {} is {}, not {}", path,
+                               what, found, wanted));
+}
+
+}  // namespace
+
+DVec3 relative_weight(const DVec3& r) { return 1.0 / (r * r + kRelMseEpsilon); }
+
+PixelMask counted_pixels(const ImageData& reference, const PixelMask& mask) {
+  const RgbView r(reference);
+  if (!mask.empty() && mask.size() != r.pixels())
+    throw InputError("the mask is not of the pictures' size");
+  PixelMask counted(r.pixels());
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    counted[i] = (mask.empty() || mask[i] != 0) && is_finite(r[i]);
+  if (std::accumulate(counted.begin(), counted.end(), std::size_t{0}) < 2)
+    throw InputError("fewer than two pixels count: mask and finite pixels of the reference");
+  return counted;
+}
+
+std::optional<NoiseFloor> noise_floor(const Reference& reference, const PixelMask& counted) {
+  if (reference.variance.empty()) return std::nullopt;
+  const RgbView r(reference.picture);
+  const auto& variance = reference.variance;
+  return NoiseFloor{
+      pixel_mean(counted, [&](std::size_t i) { return mean_of_channels(variance[i]); }),
+      pixel_mean(counted, [&](std::size_t i) {
+        return mean_of_channels(variance[i] * relative_weight(r[i]));
+      })};
+}
+
+ImageData join_halves(const ImageData& a, const ImageData& b) {
+  ImageData joined;
+  joined.width = a.width;
+  joined.height = a.height;
+  joined.channels = {"R", "G", "B"};
+  for (const char* half : {"halfA.", "halfB."})
+    for (const char* channel : {"R", "G", "B"})
+      joined.channels.push_back(std::string(half) + channel);
+  const RgbView view_a(a), view_b(b);
+  joined.values.reserve(9 * view_a.pixels());
+  for (std::size_t i = 0; i < view_a.pixels(); ++i)
+    for (const DVec3& v : {(view_a[i] + view_b[i]) / 2.0, view_a[i], view_b[i]})
+      for (const double c : {v.x, v.y, v.z}) joined.values.push_back(static_cast<float>(c));
+  return joined;
+}
+
+Reference to_reference(ImageData picture) {
+  Reference reference{std::move(picture), {}, ""};
+  if (RgbView::has(reference.picture, "halfA.") && RgbView::has(reference.picture, "halfB.")) {
+    reference.variance = variance_of_halves(reference.picture);
+    reference.variance_source = "from two independent halves";
+  } else if (!RgbView::has(reference.picture, "variance.")) {
+    reference.variance_source = "not known: the file has neither halves nor variance";
+  } else if (header_text(reference.picture, "sampler") == "independent") {
+    reference.variance = variance_layers(reference.picture);
+    reference.variance_source = "from the variance layers";
+  } else {
+    reference.variance_source = "not known: the variance layers are not of independent samples";
+  }
+  return reference;
+}
+
+std::string header_text(const ImageData& image, const std::string& name) {
+  const auto found = std::find_if(image.metadata.begin(), image.metadata.end(),
+                                  [&](const auto& entry) { return entry.first == name; });
+  if (found == image.metadata.end()) return "";
+  if (const auto* text = std::get_if<std::string>(&found->second)) return *text;
+  if (const auto* whole = std::get_if<std::int64_t>(&found->second)) return std::to_string(*whole);
+  return fmt::format("{}", std::get<double>(found->second));
+}
+
+Reference read_reference(const std::string& path, const ReferenceTerms& terms) {
+  if (read_file(path).starts_with("\x89PNG"))
+    throw InputError(path + ": 8 bits are too few for a reference; it must be an EXR");
+  Reference reference = to_reference(read_image(path));
+  const ImageData& picture = reference.picture;
+  expect_equal(path, "size", fmt::format("{}x{}", picture.width, picture.height),
+               fmt::format("{}x{}", terms.width, terms.height));
+  expect_equal(path, "scene hash", header_text(picture, "sceneHash"),
+               fmt::format("{:016x}", terms.scene_hash));
+  expect_equal(path, "maximal depth", header_text(picture, "maxDepth"), terms.max_depth);
+  if (header_text(picture, "lightSamplingBiased") == "yes")
+    throw InputError(fmt::format("{}: not a reference: its method {} is biased", path,
+                                 header_text(picture, "lightSampling")));
+  const std::string seed = header_text(picture, "seed");
+  for (const std::uint64_t other : terms.seeds)
+    if (seed == std::to_string(other))
+      throw InputError(fmt::format("{}: not a reference: its seed {} is that of a test run", path,
+                                   seed));
+  return reference;
+}
+
+}  // namespace raytracing
