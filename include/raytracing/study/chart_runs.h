@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+
+#include "raytracing/study/chart_settings.h"
+#include "raytracing/study/reference.h"
+#include "raytracing/study/run_log.h"
+
+namespace raytracing {
+
+/// The method to render the reference with. Direct light only: `line`, whose error falls fastest.
+/// Otherwise the noise is that of the bounces, and `solid-angle` renders the most of them per
+/// second; it also shares no code of visibility with the line methods under test.
+const DirectMethod& reference_method(const std::optional<std::uint32_t>& max_depth);
+
+/// Renders two halves by turns, with other seeds than all runs of charts, in chunks of 16, 32, 64
+/// ... spp, until `seconds` are used; at least one chunk each. The picture has the layers that
+/// join_halves() makes. Empty when stopped.
+std::optional<ImageData> render_reference(const Scene& scene, const ChartSettings& settings,
+                                          double seconds, const std::atomic<bool>& stop,
+                                          const ProgressCallback& progress);
+
+/// Everything that runs are measured with.
+struct Yardstick {
+  const Reference& reference;
+  const PixelMask& counted;
+  std::optional<NoiseFloor> floor;
+};
+
+/// Renders and measures those of `runs` that are not in the log, writing picture and row of each.
+/// `progress` counts samples of all runs. False when stopped; finished runs are kept.
+bool make_runs(const Scene& scene, const ChartSettings& settings,
+               const std::vector<PlannedRun>& runs, const Yardstick& yardstick, RunLog& log,
+               const std::atomic<bool>& stop, const ProgressCallback& progress);
+
+}  // namespace raytracing

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "raytracing/io/image_file.h"
+#include "raytracing/render/render.h"
+
+namespace raytracing {
+
+/// What a chart is made of.
+struct ChartSettings {
+  std::string folder;
+  std::string scene_path;
+  std::uint64_t scene_hash = 0;
+  int width = 0, height = 0;
+  std::optional<std::uint32_t> max_depth;  ///< empty = unlimited
+  SamplerKind sampler = SamplerKind::sobol;
+  int line_rays = 4;
+  int threads = 1;
+  std::vector<const DirectMethod*> methods;
+  std::vector<std::uint64_t> spp;  ///< rising
+  std::uint64_t seeds = 8;         ///< runs of each method at each spp
+  ImageMetadata made_by;           ///< for the headers of pictures: software, build, argv
+};
+
+/// One rendering of the chart.
+struct PlannedRun {
+  const DirectMethod* method;
+  std::uint64_t spp;
+  std::uint64_t repetition;  ///< 0 .. seeds - 1
+  std::uint64_t seed;        ///< of the random numbers: run_seed(spp, repetition)
+};
+
+/// The seed of a run: another for each spp and repetition, so that no two points of a curve share
+/// samples, but the same for all methods. Below 2^63, where the seeds of references begin.
+std::uint64_t run_seed(std::uint64_t spp, std::uint64_t repetition);
+inline constexpr std::uint64_t kFirstReferenceSeed = std::uint64_t{1} << 63;
+
+/// All runs, in the order in which to make them: repetition after repetition, each from few to many
+/// spp, the methods by turns, each time another one first, so that a machine that becomes slower or
+/// faster favours none.
+std::vector<PlannedRun> plan_runs(const ChartSettings& settings);
+
+RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run);
+
+/// "1" or "unlimited"
+std::string depth_text(const std::optional<std::uint32_t>& max_depth);
+
+/// A picture's header as far as it is common to all pictures of the chart.
+ImageMetadata common_metadata(const ChartSettings& settings);
+
+/// What all runs of a folder must have in common. `reference` and `mask` tell which they are.
+nlohmann::ordered_json settings_json(const ChartSettings& settings, const std::string& reference,
+                                     const std::string& mask);
+
+/// Writes `settings` to <folder>/settings.json. When the file is there, compares instead; throws
+/// InputError, which names the first difference.
+void claim_folder(const std::string& folder, const nlohmann::ordered_json& settings);
+
+}  // namespace raytracing

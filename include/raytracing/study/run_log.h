@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "raytracing/integrator/visibility.h"
+#include "raytracing/math/vec.h"
+
+namespace raytracing {
+
+/// What is recorded of one run of a chart. Errors are against the reference, over the pixels that
+/// count; "corrected": less the noise floor of the reference, so that a single run may well be
+/// below 0; NaN (an empty field) when the floor is not known.
+struct ChartRun {
+  std::string method;
+  std::uint64_t spp = 0;
+  std::uint64_t repetition = 0;
+  std::uint64_t seed = 0;
+  double render_seconds = 0;  ///< wall clock
+  double cpu_seconds = 0;     ///< of all threads
+  RayCounts rays;
+  double mse = 0, mse_corrected = 0;
+  double relmse = 0, relmse_corrected = 0;
+  double smape = 0;
+  DVec3 mean{0.0};               ///< of all pixels
+  std::uint64_t non_finite = 0;  ///< samples
+  double largest = 0;            ///< of all channels of all pixels
+};
+
+/// The first line of runs.csv, without its end.
+std::string run_csv_header();
+std::string to_csv(const ChartRun& run);
+/// Empty for a line that is none, for example one that was cut off.
+std::optional<ChartRun> run_from_csv(std::string_view line);
+
+/// The table <folder>/runs.csv and the pictures beside it in <folder>/runs/, one for each row.
+/// A run is finished when it has both.
+class RunLog {
+ public:
+  /// Reads what is there. Rows that were cut off or have no picture are taken out. Throws
+  /// InputError for a file that is not such a table, OutputError.
+  explicit RunLog(std::string folder);
+
+  const std::vector<ChartRun>& runs() const { return runs_; }
+  const ChartRun* find(std::string_view method, std::uint64_t spp, std::uint64_t repetition) const;
+  std::string picture_path(std::string_view method, std::uint64_t spp,
+                           std::uint64_t repetition) const;
+  /// Appends a row, which is on its way to the disk when this returns. Throws OutputError.
+  void add(const ChartRun& run);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::string folder_;
+  std::vector<ChartRun> runs_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace raytracing

@@ -1,0 +1,173 @@
+#include "raytracing/study/chart_runs.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <limits>
+
+#include "raytracing/io/file.h"
+
+namespace raytracing {
+namespace {
+
+constexpr std::uint64_t kFirstChunk = 16;  // spp
+
+ImageData to_picture(int width, int height, const std::vector<DVec3>& values) {
+  ImageData image;
+  image.width = width;
+  image.height = height;
+  image.channels = {"R", "G", "B"};
+  image.values.reserve(3 * values.size());
+  for (const DVec3& v : values)
+    for (const double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
+  return image;
+}
+
+std::vector<DVec3> means(const Film& film) {
+  std::vector<DVec3> values;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) values.push_back(film.at(x, y).mean());
+  return values;
+}
+
+// Sums over all chunks of one half.
+struct Half {
+  std::vector<DVec3> sums;
+  std::uint64_t spp = 0;
+
+  void add(const Film& film, std::uint64_t chunk) {
+    const std::vector<DVec3> chunk_means = means(film);
+    sums.resize(chunk_means.size(), DVec3(0.0));
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] += chunk_means[i] * static_cast<double>(chunk);
+    spp += chunk;
+  }
+  std::vector<DVec3> mean() const {
+    std::vector<DVec3> result = sums;
+    for (DVec3& v : result) v /= static_cast<double>(spp);
+    return result;
+  }
+};
+
+void add_method(ImageMetadata& metadata, const DirectMethod& method) {
+  metadata.emplace_back("lightSampling", std::string(method.name));
+  metadata.emplace_back("lightSamplingBiased", std::string(method.unbiased ? "no" : "yes"));
+}
+
+ImageData run_picture(const ChartSettings& settings, const PlannedRun& run,
+                      const RenderResult& result) {
+  ImageData image = to_picture(settings.width, settings.height, means(result.film));
+  image.metadata = common_metadata(settings);
+  add_method(image.metadata, *run.method);
+  image.metadata.emplace_back("spp", static_cast<std::int64_t>(run.spp));
+  image.metadata.emplace_back("seed", static_cast<std::int64_t>(run.seed));
+  image.metadata.emplace_back("renderSeconds", result.render_seconds);
+  image.metadata.emplace_back("nonFiniteSamples",
+                              static_cast<std::int64_t>(result.non_finite_samples));
+  image.metadata.emplace_back("complete", std::string("yes"));
+  return image;
+}
+
+ChartRun measured(const PlannedRun& planned, const RenderResult& result, const ImageData& picture,
+                  const Yardstick& yardstick) {
+  const ErrorMetrics metrics =
+      error_metrics(picture, yardstick.reference.picture, yardstick.counted);
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const auto& floor = yardstick.floor;
+  ChartRun run;
+  run.method = planned.method->name;
+  run.spp = planned.spp;
+  run.repetition = planned.repetition;
+  run.seed = planned.seed;
+  run.render_seconds = result.render_seconds;
+  run.cpu_seconds = result.cpu_seconds;
+  run.rays = result.rays;
+  run.mse = metrics.mse;
+  run.mse_corrected = floor ? metrics.mse - floor->mse.value : kUnknown;
+  run.relmse = metrics.relmse;
+  run.relmse_corrected = floor ? metrics.relmse - floor->relmse.value : kUnknown;
+  run.smape = metrics.smape;
+  run.mean = result.film.mean();
+  run.non_finite = result.non_finite_samples;
+  run.largest = *std::max_element(picture.values.begin(), picture.values.end());
+  return run;
+}
+
+}  // namespace
+
+const DirectMethod& reference_method(const std::optional<std::uint32_t>& max_depth) {
+  return *find_direct_method(max_depth == 1u ? "line" : "solid-angle");
+}
+
+std::optional<ImageData> render_reference(const Scene& scene, const ChartSettings& settings,
+                                          double seconds, const std::atomic<bool>& stop,
+                                          const ProgressCallback& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  // In milliseconds; a chunk that takes longer than planned does not make it more than all.
+  const auto tell = [&](std::uint64_t, std::uint64_t) {
+    const auto total = static_cast<std::uint64_t>(1000 * seconds) + 1;
+    if (progress) progress(std::min(static_cast<std::uint64_t>(1000 * elapsed()), total), total);
+  };
+  PlannedRun chunk{&reference_method(settings.max_depth), kFirstChunk, 0, kFirstReferenceSeed};
+  std::array<Half, 2> halves;
+  while (chunk.spp >= kFirstChunk) {
+    for (Half& half : halves) {
+      const RenderResult result = render(scene, run_options(settings, chunk), stop, tell);
+      if (!result.complete) return std::nullopt;
+      half.add(result.film, chunk.spp);
+      ++chunk.seed;
+    }
+    const double affordable =
+        (seconds / elapsed() - 1) * static_cast<double>(halves[0].spp);  // spp, of each half
+    chunk.spp = affordable < kFirstChunk
+                    ? 0
+                    : std::min(2 * chunk.spp, std::bit_floor(static_cast<std::uint64_t>(
+                                                  std::min(affordable, 1e15))));
+  }
+  const auto picture = [&](const Half& half) {
+    return to_picture(settings.width, settings.height, half.mean());
+  };
+  ImageData joined = join_halves(picture(halves[0]), picture(halves[1]));
+  joined.metadata = common_metadata(settings);
+  add_method(joined.metadata, *chunk.method);
+  joined.metadata.emplace_back("spp", static_cast<std::int64_t>(2 * halves[0].spp));
+  joined.metadata.emplace_back(
+      "seeds", std::to_string(kFirstReferenceSeed) + " to " + std::to_string(chunk.seed - 1));
+  joined.metadata.emplace_back("renderSeconds", elapsed());
+  joined.metadata.emplace_back("complete", std::string("yes"));
+  return joined;
+}
+
+bool make_runs(const Scene& scene, const ChartSettings& settings,
+               const std::vector<PlannedRun>& runs, const Yardstick& yardstick, RunLog& log,
+               const std::atomic<bool>& stop, const ProgressCallback& progress) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(settings.width) * settings.height;
+  std::vector<PlannedRun> missing;
+  std::uint64_t total = 0, done = 0;
+  for (const PlannedRun& run : runs) {
+    if (log.find(run.method->name, run.spp, run.repetition) != nullptr) continue;
+    missing.push_back(run);
+    total += run.spp * pixels;
+  }
+  for (const PlannedRun& run : missing) {
+    const RenderResult result =
+        render(scene, run_options(settings, run), stop,
+               [&](std::uint64_t samples, std::uint64_t) {
+                 if (progress) progress(done + samples, total);
+               });
+    if (!result.complete) return false;
+    done += run.spp * pixels;
+    const ImageData picture = run_picture(settings, run, result);
+    OutputFile file(log.picture_path(run.method->name, run.spp, run.repetition));
+    file.write(encode_image(picture, ImageFormat::exr));
+    file.commit();
+    log.add(measured(run, result, picture, yardstick));
+  }
+  return true;
+}
+
+}  // namespace raytracing

@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include "raytracing/io/errors.h"
+#include "raytracing/study/chart_plot.h"
+
+extern char** environ;
+
+namespace raytracing {
+
+// No shell takes part, so that the folder may have any name.
+bool run_gnuplot(const std::string& folder) {
+  std::string program = "gnuplot", script = "chart.gp";
+  const std::array<char*, 3> argv{program.data(), script.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  if (posix_spawn_file_actions_init(&actions) != 0) throw OutputError("gnuplot: cannot be started");
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  pid_t pid = 0;
+  const int error = posix_spawnp(&pid, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) return false;
+  if (error != 0)
+    throw OutputError("gnuplot: cannot be started: " + std::generic_category().message(error));
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0)
+    if (errno != EINTR) throw OutputError("gnuplot: its end was not seen");
+  if (status != 0) throw OutputError(fmt::format("gnuplot failed on {}/chart.gp", folder));
+  return true;
+}
+
+}  // namespace raytracing
