@@ -26,6 +26,8 @@ struct Command {
 constexpr std::array kCommands{
     Command{"render", "renders a scene to pictures", render_command},
     Command{"compare", "tells how far a picture is from another, and where", compare_command},
+    Command{"chart", "measures the error of the methods against their time, and draws it",
+            chart_command},
 };
 
 // As a shell would take it again.

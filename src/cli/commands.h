@@ -22,4 +22,7 @@ int render_command(const Arguments& arguments);
 /// Compares two pictures. Returns and throws as render_command() does.
 int compare_command(const Arguments& arguments);
 
+/// Measures the methods' error against time. As above.
+int chart_command(const Arguments& arguments);
+
 }  // namespace raytracing

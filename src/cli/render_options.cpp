@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "build_info.h"
+#include "limits.h"
 #include "option_list.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/image_file.h"
@@ -12,23 +11,12 @@
 namespace raytracing {
 namespace {
 
-constexpr int kMaxImageSize = 65536;
-constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
-constexpr std::uint64_t kMaxReplicates = 65536;
-constexpr int kMaxThreads = 1024;
-constexpr int kMaxLineRays = 65536;
-constexpr std::uint64_t kMaxDepth = std::uint64_t{1} << 30;
-
 std::string methods_text() {
   std::string text;
   for (const DirectMethod& m : direct_methods())
     text += fmt::format("{:<12} {}: {}; costs {}\n", m.name, m.unbiased ? "unbiased" : "BIASED",
                         m.summary, m.cost);
   return text;
-}
-
-int default_threads() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 RenderArguments::Replay parse_replay(const std::string& text) {

@@ -1,5 +1,7 @@
 #include "raytracing/study/bias.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,17 @@ double BiasEstimate::rms_low() const {
 }
 double BiasEstimate::rms_high() const {
   return root(squared.value + kNormal95 * squared.standard_error);
+}
+
+std::string to_text(const BiasEstimate& bias) {
+  const double half = kNormal95 * bias.relative_squared.standard_error;
+  const std::string mean = fmt::format("mean {:+.2f} % ± {:.2f} %", 100 * bias.mean_ratio.value,
+                                       100 * kNormal95 * bias.mean_ratio.standard_error);
+  if (bias.detected)
+    return fmt::format("BIASED: relMSE levels off at {:.2g} ± {:.1g}; {}",
+                       std::max(0.0, bias.relative_squared.value), half, mean);
+  return fmt::format("bias not distinguishable from 0: relMSE levels off below {:.2g}; {}",
+                     std::max(0.0, bias.relative_squared.value) + half, mean);
 }
 
 std::optional<BiasEstimate> estimate_bias(const SeedMoments& moments, const Reference& reference,

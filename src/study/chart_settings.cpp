@@ -43,6 +43,14 @@ std::string depth_text(const std::optional<std::uint32_t>& max_depth) {
   return max_depth ? std::to_string(*max_depth) : "unlimited";
 }
 
+std::string chart_title(const ChartSettings& settings) {
+  return fmt::format(
+      "{}, {}x{}, {}", std::filesystem::path(settings.scene_path).stem().string(), settings.width,
+      settings.height,
+      settings.max_depth == 1u ? "direct light only"
+                               : "maximal depth " + depth_text(settings.max_depth));
+}
+
 ImageMetadata common_metadata(const ChartSettings& settings) {
   ImageMetadata metadata = settings.made_by;
   metadata.emplace_back("scene", settings.scene_path);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "raytracing/study/reference.h"
@@ -42,6 +43,9 @@ struct BiasEstimate {
   double rms_low() const;
   double rms_high() const;
 };
+
+/// One line for people.
+std::string to_text(const BiasEstimate& bias);
 
 /// Empty for fewer than two seeds, or when the noise of the reference is not known.
 std::optional<BiasEstimate> estimate_bias(const SeedMoments& moments, const Reference& reference,

@@ -11,7 +11,7 @@ namespace raytracing {
 /// `bottom`: it is off the logarithmic axis.
 std::string plot_data(const ChartSummary& summary, double bottom);
 
-/// The lower end of the charts' error axis: below all that is drawn.
+/// The lower end of the charts' error axis, a power of ten below all points.
 double plot_bottom(const ChartSummary& summary);
 
 /// Commands that draw error_vs_time and error_vs_spp as .svg and .png from chart.dat, for gnuplot 5

@@ -50,6 +50,9 @@ RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run);
 /// "1" or "unlimited"
 std::string depth_text(const std::optional<std::uint32_t>& max_depth);
 
+/// "cornell, 256x256, direct light only"
+std::string chart_title(const ChartSettings& settings);
+
 /// A picture's header as far as it is common to all pictures of the chart.
 ImageMetadata common_metadata(const ChartSettings& settings);
 

@@ -1,0 +1,45 @@
+#include "scene_notes.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "raytracing/io/errors.h"
+
+namespace raytracing {
+
+void print_load_report(const LoadReport& report, const SceneFile& scene, bool quiet, bool strict) {
+  for (const LoadReport::Entry& e : report.entries()) {
+    const bool told_when_quiet = e.severity != LoadReport::Severity::ignored;
+    if (quiet && !told_when_quiet) continue;
+    fmt::print(stderr, "{}: {}: {}{}\n", to_string(e.first), to_string(e.severity), e.kind,
+               e.count > 1 ? fmt::format(" ({} times)", e.count) : "");
+  }
+  const std::uint64_t repaired = report.count(LoadReport::Severity::repaired);
+  const std::uint64_t dropped = report.count(LoadReport::Severity::dropped);
+  if (!quiet)
+    fmt::print(stderr, "loaded {} files: {} repaired, {} dropped, {} ignored\n",
+               scene.assets.size() + 1, repaired, dropped,
+               report.count(LoadReport::Severity::ignored));
+  if (strict && repaired + dropped > 0)
+    throw InputError(fmt::format("--strict: {} records repaired, {} dropped", repaired, dropped));
+}
+
+void print_scene_notes(const Scene& scene, bool quiet, bool strict) {
+  const BuildNotes& notes = scene.notes();
+  if (!quiet)
+    fmt::print(stderr, "{} triangles, {} spheres, {} lights\n",
+               scene.geometry().triangles().size(), scene.geometry().spheres().size(),
+               scene.lights().size());
+  if (scene.lights().empty())
+    fmt::print(stderr, "warning: the scene has no light; the picture will be black\n");
+  if (notes.split_lights > 0)
+    fmt::print(stderr, "repaired: {} emitting faces are not flat and convex: each of their "
+               "triangles is a light\n", notes.split_lights);
+  if (notes.zero_area_lights > 0)
+    fmt::print(stderr, "dropped: {} emitting triangles without area\n", notes.zero_area_lights);
+  if (strict && notes.split_lights + notes.zero_area_lights > 0)
+    throw InputError("--strict: emitting faces repaired or dropped");
+}
+
+}  // namespace raytracing

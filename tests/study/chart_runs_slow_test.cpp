@@ -1,0 +1,128 @@
+// Real runs of the Cornell box, direct light only: the bias of line-ratio is found, none of the
+// other methods is accused, and half a per cent that is planted is found.
+
+#include <gtest/gtest.h>
+
+#include "raytracing/io/file.h"
+#include "raytracing/io/image_reader.h"
+#include "raytracing/io/scene_file.h"
+#include "raytracing/study/chart_runs.h"
+#include "raytracing/study/chart_summary.h"
+#include "support/temp_dir.h"
+
+namespace raytracing {
+namespace {
+
+const std::atomic<bool> kNever{false};
+
+class ChartBias : public ::testing::Test {
+ protected:
+  explicit ChartBias(int size = 64) {
+    LoadReport report;
+    SceneFile file = load_scene_file(std::string(RAYTRACING_SOURCE_DIR) + "/scenes/cornell.toml",
+                                     direct_method_names(), report);
+    scene_.emplace(std::move(file.scene), 2);
+    settings_.folder = folder_.path();
+    settings_.width = settings_.height = size;
+    settings_.max_depth = 1;
+    settings_.threads = 2;
+    settings_.spp = {64};
+    for (const char* name : {"point", "line-ratio", "line"})
+      settings_.methods.push_back(find_direct_method(name));
+    // As many samples on any machine, so not by render_reference().
+    reference_ = to_reference(join_halves(half(0), half(1)));
+    counted_ = counted_pixels(reference_.picture, {});
+    log_.emplace(folder_.path());
+    EXPECT_TRUE(make_runs(*scene_, settings_, plan_runs(settings_),
+                          {reference_, counted_, noise_floor(reference_, counted_)}, *log_, kNever,
+                          nullptr));
+  }
+
+  ImageData half(std::uint64_t i) const {
+    const PlannedRun run{find_direct_method("line"), 512, 0, kFirstReferenceSeed + i};
+    const RenderResult result = render(*scene_, run_options(settings_, run), kNever, nullptr);
+    ImageData image{settings_.width, settings_.height, {"R", "G", "B"}, {}, {}};
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        for (int c = 0; c < 3; ++c)
+          image.values.push_back(static_cast<float>(result.film.at(x, y).mean()[c]));
+    return image;
+  }
+
+  bool detected(std::size_t method) const {
+    const ChartSummary summary = summarise_runs(settings_, *log_, reference_, counted_);
+    return summary.methods[method].bias()->detected;
+  }
+
+  void brighten(const char* method, float factor) {
+    for (std::uint64_t i = 0; i < settings_.seeds; ++i) {
+      const std::string path = log_->picture_path(method, 64, i);
+      ImageData image = read_image(path);
+      for (float& value : image.values) value *= factor;
+      image.metadata.clear();
+      OutputFile file(path);
+      file.write(encode_image(image, ImageFormat::exr));
+      file.commit();
+    }
+  }
+
+  TempDir folder_;
+  std::optional<Scene> scene_;
+  ChartSettings settings_;
+  Reference reference_;
+  PixelMask counted_;
+  std::optional<RunLog> log_;
+};
+
+TEST_F(ChartBias, IsFoundWhereThereIsOneAndNowhereElse) {
+  EXPECT_FALSE(detected(0));
+  EXPECT_TRUE(detected(1));
+  EXPECT_FALSE(detected(2));
+  brighten("point", 1.005f);
+  brighten("line", 0.995f);
+  EXPECT_TRUE(detected(0));
+  EXPECT_TRUE(detected(2));
+}
+
+class ChartRuns : public ChartBias {
+ protected:
+  ChartRuns() : ChartBias(16) {}
+};
+
+TEST_F(ChartRuns, AreMeasuredAsTheirPicturesAre) {
+  const auto floor = noise_floor(reference_, counted_);
+  ASSERT_EQ(log_->runs().size(), 3 * settings_.seeds);
+  for (const ChartRun& run : log_->runs()) {
+    const ImageData image = read_image(log_->picture_path(run.method, run.spp, run.repetition));
+    const ErrorMetrics metrics = error_metrics(image, reference_.picture);
+    EXPECT_EQ(run.relmse, metrics.relmse);
+    EXPECT_EQ(run.mse, metrics.mse);
+    EXPECT_EQ(run.smape, metrics.smape);
+    EXPECT_EQ(run.relmse_corrected, metrics.relmse - floor->relmse.value);
+    EXPECT_EQ(run.largest, *std::max_element(image.values.begin(), image.values.end()));
+    EXPECT_EQ(run.rays.closest, 16u * 16u * 64u);
+    EXPECT_GT(run.render_seconds, 0);
+    EXPECT_EQ(run.seed, run_seed(64, run.repetition));
+    EXPECT_EQ(header_text(image, "seed"), std::to_string(run.seed));
+    EXPECT_EQ(header_text(image, "lightSamplingBiased"),
+              run.method == "line-ratio" ? "yes" : "no");
+  }
+}
+
+TEST_F(ChartRuns, AreNotRepeated) {
+  const std::string before = read_file(folder_ / "runs.csv");
+  const Yardstick yardstick{reference_, counted_, noise_floor(reference_, counted_)};
+  std::uint64_t told = 0;
+  const auto count = [&told](std::uint64_t, std::uint64_t) { ++told; };
+  settings_.seeds = 4;
+  EXPECT_TRUE(make_runs(*scene_, settings_, plan_runs(settings_), yardstick, *log_, kNever, count));
+  EXPECT_EQ(told, 0u);
+  EXPECT_EQ(read_file(folder_ / "runs.csv"), before);
+  settings_.seeds = 9;
+  EXPECT_TRUE(make_runs(*scene_, settings_, plan_runs(settings_), yardstick, *log_, kNever, count));
+  EXPECT_EQ(log_->runs().size(), 27u);
+  EXPECT_TRUE(read_file(folder_ / "runs.csv").starts_with(before));
+}
+
+}  // namespace
+}  // namespace raytracing
