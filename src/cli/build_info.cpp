@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <fstream>
+#include <thread>
+
 #include "raytracing/geometry/embree_scene.h"
 
 namespace raytracing {
@@ -44,6 +47,17 @@ std::string build_description() {
   return fmt::format("{}, {}, {}, {}", RAYTRACING_BUILD_TYPE,
                      is_optimised() ? "optimised" : "not optimised", "compiler " __VERSION__,
                      instruction_set());
+}
+
+std::string machine_description() {
+  std::string processor = "unknown processor";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
+      processor = line.substr(line.find(": ") + 2);
+      break;
+    }
+  return fmt::format("{}, {} threads", processor, std::thread::hardware_concurrency());
 }
 
 std::string version_text() {

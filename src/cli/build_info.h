@@ -13,6 +13,9 @@ std::string program_version();
 /// Build type, compiler and instruction set on one line, as it stands in picture headers.
 std::string build_description();
 
+/// Processor and number of its threads, as far as the system tells.
+std::string machine_description();
+
 /// What --version prints: version, build, instruction set, libraries and formats, line by line.
 std::string version_text();
 

@@ -13,6 +13,7 @@
 #include "raytracing/io/file.h"
 #include "raytracing/io/image_reader.h"
 #include "raytracing/study/chart_plot.h"
+#include "raytracing/study/chart_report.h"
 #include "raytracing/study/chart_runs.h"
 #include "raytracing/study/chart_summary.h"
 #include "scene_notes.h"
@@ -64,7 +65,7 @@ class Chart {
 
     RunLog log(a_.folder);
     if (!make_all_runs(scene, {*reference_, counted, floor}, log)) return stopped();
-    write_results(summarise_runs(settings_, log, *reference_, counted));
+    write_results(summarise_runs(settings_, log, *reference_, counted), log, counted);
     return kExitGood;
   }
 
@@ -147,7 +148,8 @@ class Chart {
     return complete;
   }
 
-  void write_results(const ChartSummary& summary) const {
+  void write_results(const ChartSummary& summary, const RunLog& log,
+                     const PixelMask& counted) const {
     tell_bias(summary);
     print_path("runs.csv");
     nlohmann::ordered_json json = settings_json(settings_, reference_id(), mask_id_);
@@ -155,14 +157,30 @@ class Chart {
     write("summary.json", json.dump(2) + "\n");
     write("chart.dat", plot_data(summary, plot_bottom(summary)));
     write("chart.gp", plot_script(summary, chart_title(settings_)));
-    if (run_gnuplot(a_.folder)) {
-      for (const char* name : {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg",
-                               "error_vs_spp.png"})
-        print_path(name);
-    } else {
-      fmt::print(stderr, "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, run "
-                         "gnuplot chart.gp in {}\n", a_.folder);
+    const bool has_charts = draw();
+    write("report.html", report_html(chart_report(settings_, summary, log, *reference_, counted,
+                                                  has_charts, facts())));
+  }
+
+  bool draw() const {
+    if (!run_gnuplot(a_.folder)) {
+      fmt::print(stderr, "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the "
+                         "same command draws them\n");
+      return false;
     }
+    for (const char* name : {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg",
+                             "error_vs_spp.png"})
+      print_path(name);
+    return true;
+  }
+
+  std::vector<std::pair<std::string, std::string>> facts() const {
+    return {{"command", std::get<std::string>(settings_.made_by.back().second)},
+            {"version", program_version()},
+            {"build", build_description()},
+            {"machine", machine_description()},
+            {"reference", reference_id()},
+            {"mask", mask_id_}};
   }
 
   void tell_bias(const ChartSummary& summary) const {
