@@ -12,7 +12,7 @@ packages() {
   "${as_root[@]}" apt-get update -q
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends \
     g++ cmake make libembree-dev libopenexr-dev libpng-dev libopenimageio-dev libglm-dev \
-    libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev
+    libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev gnuplot-nox
 }
 
 build() {

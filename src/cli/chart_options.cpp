@@ -94,7 +94,8 @@ struct ChartOptionList : OptionList {
     add_number("--height", a.height, 1, kMaxImageSize,
                "Picture height in pixels; default: the scene's");
     add_number("--max-depth", a.max_depth, 1, kMaxDepth,
-               "Surfaces that a path may be reflected at; 1 = direct light only; default unlimited");
+               "Surfaces that a path may be reflected at; 1 = direct light only; default "
+               "unlimited");
     add_number("--line-rays", a.line_rays, 1, kMaxLineRays,
                fmt::format("Rays per chord of the methods that count rays; default {}",
                            a.line_rays));

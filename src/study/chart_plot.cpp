@@ -109,7 +109,8 @@ set logscale xy
 set format y '10^{{%L}}'
 set grid lt 1 lw 0.7 lc rgb '#d8d8d8'
 set border lc rgb '#444444'
-set key below center horizontal Left reverse samplen 2.5 noenhanced
+set key at screen 0.5,0.015 center bottom horizontal maxrows 4 Left reverse samplen 2.5 noenhanced
+set bmargin 8.5
 set title {} . "\n" . 'median and min-max band of {} seeds{}' noenhanced
 set ylabel 'relMSE = mean of (x-r)^2 / (r^2 + 0.01)'
 bottom = {:.6g}
@@ -161,7 +162,7 @@ std::string plot_script(const ChartSummary& summary, const std::string& title) {
                   summary.floor ? ", less the noise of the reference" : "", plot_bottom(summary));
   for (const bool over_time : {true, false}) {
     const Range x = x_range(summary, over_time);
-    text += fmt::format("\nset xlabel '{}' offset 0,0.4\nset xtics ({})\n",
+    text += fmt::format("\nset xlabel '{}'\nset xtics ({})\n",
                         over_time ? "render time of one picture, seconds (wall clock)"
                                   : "samples per pixel",
                         tics(summary, over_time));

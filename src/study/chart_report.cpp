@@ -58,7 +58,8 @@ ReportPicture picture_of(const MethodSummary& method, double seconds, const RunL
   const ImageData image = read_image(log.picture_path(name, point.spp, 0));
   const ImageData errors = error_picture(image, reference.picture, counted);
   return {fmt::format("{}{}", name, method.method->unbiased ? "" : " (biased)"),
-          fmt::format("{} spp, {:.3g} s, relMSE {:.3g}", point.spp, run.render_seconds, run.relmse),
+          fmt::format("{} spp, median of {:.3g} s, relMSE {:.3g}", point.spp, point.seconds.median,
+                      run.relmse),
           png(image), png(cropped(errors, image.width, image.height))};
 }
 

@@ -47,8 +47,9 @@ std::string chart_title(const ChartSettings& settings) {
   return fmt::format(
       "{}, {}x{}, {}", std::filesystem::path(settings.scene_path).stem().string(), settings.width,
       settings.height,
-      settings.max_depth == 1u ? "direct light only"
-                               : "maximal depth " + depth_text(settings.max_depth));
+      !settings.max_depth         ? "all bounces"
+      : settings.max_depth == 1u ? "direct light only"
+                                 : fmt::format("at most {} surfaces", *settings.max_depth));
 }
 
 ImageMetadata common_metadata(const ChartSettings& settings) {
