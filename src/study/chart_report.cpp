@@ -76,12 +76,11 @@ std::vector<ReportPicture> pictures(const ChartSummary& summary, const RunLog& l
   return result;
 }
 
+// At a time at which all methods were measured.
 std::string best_at(const ChartSummary& summary, double seconds) {
   std::vector<std::pair<double, std::string>> ranks;
   for (const MethodSummary& m : summary.methods)
-    if (const auto error = error_at(m.curve, seconds))
-      ranks.emplace_back(*error, std::string(m.method->name));
-  if (ranks.empty()) return "";
+    ranks.emplace_back(*error_at(m.curve, seconds), std::string(m.method->name));
   std::sort(ranks.begin(), ranks.end());
   std::string text = fmt::format("In {:.3g} s, the least relMSE is that of {}: {:.3g}", seconds,
                                  ranks.front().second, ranks.front().first);
@@ -93,11 +92,14 @@ std::string best_at(const ChartSummary& summary, double seconds) {
 
 std::vector<std::string> notes(const ChartSummary& summary) {
   std::vector<std::string> result;
-  if (!summary.times.empty()) {
-    result.push_back(best_at(summary, summary.times.front()));
-    if (summary.times.size() > 1) result.push_back(best_at(summary, summary.times.back()));
-    std::erase(result, "");
-  }
+  std::vector<double> times;  // at which all methods were measured
+  for (const double seconds : summary.times)
+    if (std::all_of(summary.methods.begin(), summary.methods.end(), [seconds](const auto& m) {
+          return error_at(m.curve, seconds).has_value();
+        }))
+      times.push_back(seconds);
+  if (!times.empty()) result.push_back(best_at(summary, times.front()));
+  if (times.size() > 1) result.push_back(best_at(summary, times.back()));
   for (const MethodSummary& m : summary.methods)
     if (m.bias() && m.bias()->detected)
       result.push_back(fmt::format("{}: {}.", m.method->name, to_text(*m.bias())));
@@ -119,8 +121,7 @@ Report chart_report(const ChartSettings& settings, const ChartSummary& summary, 
   report.pictures = pictures(summary, log, reference, counted);
   if (has_charts)
     report.charts = {
-        {"Error against render time: median and min-max band over the seeds; grey: the noise of "
-         "the reference", read_file(settings.folder + "/error_vs_time.svg")},
+        {"Error against render time: median and min-max band over the seeds", read_file(settings.folder + "/error_vs_time.svg")},
         {"Error against samples per pixel", read_file(settings.folder + "/error_vs_spp.svg")}};
   report.tables = chart_tables(summary);
   report.facts = std::move(facts);

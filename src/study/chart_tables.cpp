@@ -46,12 +46,24 @@ ReportTable equal_error(const ChartSummary& summary) {
   return table;
 }
 
+std::vector<std::string> bias_cells(const std::optional<BiasEstimate>& bias) {
+  if (!bias) return {"-", "-", "not known"};
+  constexpr double kNormal95 = 1.960;
+  const Estimate &level = bias->relative_squared, &mean = bias->mean_ratio;
+  return {fmt::format("{:.2g} ± {:.1g}", level.value, kNormal95 * level.standard_error),
+          fmt::format("{:+.2f} ± {:.2f}", 100 * mean.value, 100 * kNormal95 * mean.standard_error),
+          bias->detected ? "yes" : "no"};
+}
+
 ReportTable fits(const ChartSummary& summary) {
-  ReportTable table{"Slopes of log relMSE with 95 % intervals, and bias at the most samples",
-                    {"method", "over log spp", "over log seconds", "bias"}, {}};
-  for (const MethodSummary& m : summary.methods)
-    table.rows.push_back({std::string(m.method->name), slope_cell(m.over_spp),
-                          slope_cell(m.over_time), m.bias() ? to_text(*m.bias()) : "not known"});
+  ReportTable table{"Slopes of log relMSE, and bias at the most samples, with 95 % intervals",
+                    {"method", "slope over spp", "slope over seconds", "relMSE of the bias",
+                     "mean less the reference's, %", "told from 0"}, {}};
+  for (const MethodSummary& m : summary.methods) {
+    auto& row = table.rows.emplace_back();
+    row = {std::string(m.method->name), slope_cell(m.over_spp), slope_cell(m.over_time)};
+    for (std::string& text : bias_cells(m.bias())) row.push_back(std::move(text));
+  }
   return table;
 }
 
