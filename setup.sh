@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Sets up Debian 12 for this project and goes on to a first result.
-#   ./setup.sh packages   installs the packages that the build needs
+#   ./setup.sh packages   installs the packages that build and charts need
 #   ./setup.sh picture    packages, release build, Cornell Box rendered to cornell.png
-#   ./setup.sh test       packages, release build, all tests
+#   ./setup.sh test       packages, a browser for the report page's test, release build, all tests
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -12,7 +12,8 @@ packages() {
   "${as_root[@]}" apt-get update -q
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends \
     g++ cmake make libembree-dev libopenexr-dev libpng-dev libopenimageio-dev libglm-dev \
-    libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev gnuplot-nox
+    libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libgtest-dev libbenchmark-dev \
+    gnuplot-nox "$@"
 }
 
 build() {
@@ -28,7 +29,7 @@ case "${1:-}" in
     ./build/Raytracing --scene scenes/cornell.toml --spp 16
     ;;
   test)
-    packages
+    packages chromium chromium-driver python3-selenium
     build
     ctest --preset release
     ;;
