@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up Debian 12 for this project and goes on to a first result.
+# Sets up Debian 12 or 13 for this project and goes on to a first result.
 #   ./setup.sh packages   installs the packages that build and charts need
 #   ./setup.sh picture    packages, release build, Cornell Box rendered to cornell.png
 #   ./setup.sh test       packages, a browser for the report page's test, release build, all tests
