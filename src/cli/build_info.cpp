@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "raytracing/geometry/embree_scene.h"
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
 
 namespace raytracing {
 namespace {
@@ -47,6 +49,14 @@ std::string build_description() {
   return fmt::format("{}, {}, {}, {}", RAYTRACING_BUILD_TYPE,
                      is_optimised() ? "optimised" : "not optimised", "compiler " __VERSION__,
                      instruction_set());
+}
+
+std::string program_hash() {
+  try {
+    return fmt::format("{:016x}", hash_bytes(read_file("/proc/self/exe")));
+  } catch (const InputError&) {
+    return "unknown";
+  }
 }
 
 std::string machine_description() {

@@ -39,6 +39,8 @@ ChartSettings chart_settings(const ChartArguments& a, const SceneFile& file,
   s.seeds = a.seeds;
   s.made_by = {{"software", "Raytracing " + program_version()},
                {"build", build_description()},
+               {"program", program_hash()},
+               {"machine", machine_description()},
                {"argv", command_line}};
   return s;
 }
@@ -47,8 +49,8 @@ ChartSettings chart_settings(const ChartArguments& a, const SceneFile& file,
 class Chart {
  public:
   Chart(const ChartArguments& arguments, const ChartSettings& settings,
-        const StopOnSignal& signals)
-      : a_(arguments), settings_(settings), signals_(signals) {}
+        const std::string& command_line, const StopOnSignal& signals)
+      : a_(arguments), settings_(settings), command_line_(command_line), signals_(signals) {}
 
   /// The exit code.
   int make(const Scene& scene) {
@@ -56,7 +58,12 @@ class Chart {
     std::filesystem::create_directories(a_.folder, error);
     if (error) throw OutputError(a_.folder + ": " + error.message());
     const PixelMask mask = read_mask();
-    if (a_.reference != "auto") reference_ = read_reference(a_.reference, terms());
+    if (a_.reference != "auto") {
+      reference_ = read_reference(a_.reference, terms());
+      if (!reference_->unchecked.empty())
+        fmt::print(stderr, "warning: {}: its header does not tell {}: not checked\n", a_.reference,
+                   reference_->unchecked);
+    }
     claim_folder(a_.folder, settings_json(settings_, reference_id(), mask_id_));
     if (!reference_ && !take_auto_reference(scene)) return stopped();
     const PixelMask counted = counted_pixels(reference_->picture, mask);
@@ -64,6 +71,9 @@ class Chart {
     tell_reference(floor);
 
     RunLog log(a_.folder);
+    if (log.dropped() > 0)
+      fmt::print(stderr, "warning: {} rows of {}/runs.csv have no picture in runs/ and are made "
+                         "anew; the old table is kept as runs.csv.old\n", log.dropped(), a_.folder);
     if (!make_all_runs(scene, {*reference_, counted, floor}, log)) return stopped();
     write_results(summarise_runs(settings_, log, *reference_, counted), log, counted);
     return kExitGood;
@@ -157,9 +167,16 @@ class Chart {
     write("summary.json", json.dump(2) + "\n");
     write("chart.dat", plot_data(summary, plot_bottom(summary)));
     write("chart.gp", plot_script(summary, chart_title(settings_)));
-    const bool has_charts = draw();
-    write("report.html", report_html(chart_report(settings_, summary, log, *reference_, counted,
-                                                  has_charts, facts())));
+    const auto write_report = [&](bool has_charts) {
+      write("report.html", report_html(chart_report(settings_, summary, log, *reference_, counted,
+                                                    has_charts, facts())));
+    };
+    try {
+      write_report(draw());
+    } catch (const OutputError&) {  // the charts' failure shall not cost the tables
+      write_report(false);
+      throw;
+    }
   }
 
   bool draw() const {
@@ -175,7 +192,7 @@ class Chart {
   }
 
   std::vector<std::pair<std::string, std::string>> facts() const {
-    return {{"command", std::get<std::string>(settings_.made_by.back().second)},
+    return {{"command", command_line_},
             {"version", program_version()},
             {"build", build_description()},
             {"machine", machine_description()},
@@ -209,6 +226,7 @@ class Chart {
 
   const ChartArguments& a_;
   const ChartSettings& settings_;
+  const std::string& command_line_;
   const StopOnSignal& signals_;
   std::optional<Reference> reference_;
   std::string mask_id_ = "none";
@@ -232,7 +250,7 @@ int chart_command(const Arguments& arguments) {
                         std::any_of(a.methods.begin(), a.methods.end(), asks_segments);
   const Scene scene(std::move(file.scene), a.threads, segments);
   print_scene_notes(scene, a.quiet, false);
-  return Chart(a, settings, signals).make(scene);
+  return Chart(a, settings, arguments.command_line, signals).make(scene);
 }
 
 }  // namespace raytracing

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "commands.h"
 #include "comparison.h"
@@ -23,6 +26,20 @@ struct CompareArguments {
   std::optional<double> max_relmse;
   std::optional<std::string> help;
 };
+
+// An output must be neither an input nor the other output.
+void check_distinct(std::vector<std::string> taken, const std::vector<std::string>& outputs) {
+  const auto place = [](const std::string& path) {
+    return std::filesystem::weakly_canonical(path).string();
+  };
+  for (const std::string& output : outputs) {
+    if (output.empty()) continue;
+    for (const std::string& other : taken)
+      if (!other.empty() && place(other) == place(output))
+        throw UsageError(output + ": would be overwritten: it is named twice");
+    taken.push_back(output);
+  }
+}
 
 CompareArguments parse_compare_arguments(const Arguments& arguments) {
   CompareArguments a;
@@ -48,6 +65,7 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
   if (a.help) return a;
   if (a.reference.empty()) throw_usage("two pictures are needed");
   if (!a.diff.empty()) image_format(a.diff);
+  check_distinct({a.test, a.reference, a.mask}, {a.diff, a.json});
   return a;
 }
 
@@ -89,7 +107,8 @@ int compare_command(const Arguments& arguments) {
                               a.reference,
                               error_metrics(test, reference, mask),
                               masked_mean(flip_map(test, reference), mask),
-                              z_scores(test, reference, mask)};
+                              z_scores(test, reference, mask),
+                              expected_scores(test, reference)};
   std::optional<OutputFile> diff, json;
   if (!a.diff.empty()) diff.emplace(a.diff);
   if (!a.json.empty()) json.emplace(a.json);

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "raytracing/study/flip.h"
+#include "raytracing/study/reference.h"
 
 namespace raytracing {
 namespace {
@@ -40,14 +41,19 @@ std::vector<Row> metric_rows(const ErrorMetrics& m) {
   };
 }
 
-std::vector<Row> z_rows(const ZScores& z) {
+std::vector<Row> z_rows(const ZScores& z, const ExpectedScores& e) {
+  const auto share = [&e](double expected) {
+    if (e.overstated) return fmt::format("expected below {:.4f}: sobol overstates", expected);
+    return fmt::format("expected {:.4f}{}", expected,
+                       e.degrees == 0 ? "" : fmt::format(", Student's t with {}", e.degrees));
+  };
   return {
       {"z_share_1.96", "|z| > 1.96", z.share_196,
-       fmt::format("share; z = (x-r) / sqrt(var x + var r); expected {:.4f}", kExpectedShare196)},
-      {"z_share_3", "|z| > 3", z.share_3, fmt::format("share; expected {:.4f}", kExpectedShare3)},
-      {"z_mean", "mean z", z.mean, "expected 0"},
+       "share; z = (x-r) / sqrt(var x + var r); " + share(e.share_196)},
+      {"z_share_3", "|z| > 3", z.share_3, "share; " + share(e.share_3)},
+      {"z_mean", "mean z", z.mean, "expected 0, for many samples"},
       {"z_rms", "RMS z", z.rms,
-       "sqrt(mean z^2); expected 1; less where --sampler sobol overstates the variance"},
+       fmt::format("sqrt(mean z^2); expected {}{:.3g}", e.overstated ? "below " : "", e.rms)},
       {"z_scores", "z-scores", z.scores, "channels of pixels with a variance"},
       {"z_no_variance_equal", "var 0, x = r", z.no_variance_equal, "channels without a z-score"},
       {"z_no_variance_different", "var 0, x != r", z.no_variance_different,
@@ -64,26 +70,19 @@ std::vector<Row> rows(const Comparison& c) {
                  fmt::format("mean LDR-FLIP, {} pixels per degree, values cut off to 0..1",
                              kFlipPixelsPerDegree)});
   if (!c.z) return result;
-  for (const Row& row : z_rows(*c.z)) result.push_back(row);
+  for (const Row& row : z_rows(*c.z, c.expected)) result.push_back(row);
   return result;
-}
-
-// The header's entry as text; "" where there is none.
-std::string entry(const ImageData& image, const std::string& name) {
-  for (const auto& [key, value] : image.metadata)
-    if (key == name) return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
-  return "";
 }
 
 void add_notes_on(const ImageData& image, const std::string& path,
                   std::vector<std::string>& notes) {
-  if (entry(image, "lightSamplingBiased") == "yes")
+  if (header_text(image, "lightSamplingBiased") == "yes")
     notes.push_back(fmt::format("note: {}: made by the biased method {}: more samples do not bring "
-                                "it to the true picture", path, entry(image, "lightSampling")));
-  const std::string complete = entry(image, "complete");
+                                "it to the true picture", path, header_text(image, "lightSampling")));
+  const std::string complete = header_text(image, "complete");
   if (!complete.empty() && complete != "yes")
     notes.push_back(fmt::format("warning: {}: its rendering was stopped early", path));
-  const std::string bits = entry(image, "bitsPerSample");  // of a PNG
+  const std::string bits = header_text(image, "bitsPerSample");  // of a PNG
   if (!bits.empty())
     notes.push_back(fmt::format("note: {}: {} bits a channel, and light beyond 1 is cut off", path,
                                 bits));
@@ -124,10 +123,10 @@ std::vector<std::string> header_notes(const ImageData& test, const std::string& 
                                       const std::string& reference_path) {
   std::vector<std::string> notes;
   const auto same = [&](const char* name) {
-    const std::string value = entry(test, name);
-    return !value.empty() && value == entry(reference, name);
+    const std::string value = header_text(test, name);
+    return !value.empty() && value == header_text(reference, name);
   };
-  const std::string x = entry(test, "sceneHash"), r = entry(reference, "sceneHash");
+  const std::string x = header_text(test, "sceneHash"), r = header_text(reference, "sceneHash");
   if (!x.empty() && !r.empty() && x != r)
     notes.push_back(fmt::format("warning: of different scenes: sceneHash {} and {}", x, r));
   if (same("sceneHash") && same("seed") && same("sampler"))

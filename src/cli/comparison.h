@@ -16,6 +16,7 @@ struct Comparison {
   ErrorMetrics metrics;
   double flip;
   std::optional<ZScores> z;
+  ExpectedScores expected;
 };
 
 /// A table: name, number, formula.

@@ -26,20 +26,21 @@ ImageMetadata::value_type::second_type whole_number(std::uint64_t value) {
 // How the layers variance.R/G/B were estimated, for people.
 std::string variance_kind(const RenderRecord& r) {
   const std::uint64_t groups = r.result.film.fewest_groups();
+  if (groups < 2)
+    return fmt::format("unknown: a pixel has fewer than two complete {}",
+                       r.options.replicates > 1 ? "replicates" : "samples");
   if (r.options.replicates > 1)
-    return groups < 2 ? "unknown: fewer than two replicates are complete"
-                      : fmt::format("between the means of replicates: honest; Student's t with {} "
-                                    "degrees of freedom",
-                                    groups - 1);
+    return fmt::format("between the means of replicates: honest; Student's t with {} degrees of "
+                       "freedom",
+                       groups - 1);
   return r.options.sampler == SamplerKind::independent
              ? "between independent samples: honest"
              : "between samples as if they were independent: too large for sobol";
 }
 
-// Of a pixel with a single replicate nothing is known: not even a wide interval is wide enough.
-DVec3 variance_layer(const Film::Pixel& pixel, const RenderOptions& options) {
-  if (options.replicates > 1 && pixel.groups < 2)
-    return DVec3(std::numeric_limits<double>::infinity());
+// Of a single sample or replicate nothing is known: not even a wide interval is wide enough.
+DVec3 variance_layer(const Film::Pixel& pixel) {
+  if (pixel.groups < 2) return DVec3(std::numeric_limits<double>::infinity());
   return pixel.variance_of_mean();
 }
 
@@ -83,7 +84,7 @@ ImageData to_image(const RenderRecord& r, bool variance) {
         for (double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
       };
       append(film.at(x, y).mean());
-      if (variance) append(variance_layer(film.at(x, y), r.options));
+      if (variance) append(variance_layer(film.at(x, y)));
     }
   image.metadata = metadata(r);
   if (variance) image.metadata.emplace_back("varianceKind", variance_kind(r));

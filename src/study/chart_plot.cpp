@@ -78,7 +78,8 @@ std::string tics(const ChartSummary& summary, bool over_time) {
     for (const ChartPoint& p : summary.methods[0].points)
       values.push_back(static_cast<double>(p.spp));
   }
-  return fmt::format("{:g}", fmt::join(values, ", "));
+  if (values.empty()) return "auto";
+  return fmt::format("({:g})", fmt::join(values, ", "));
 }
 
 std::string plot_command(const ChartSummary& summary, bool over_time) {
@@ -162,7 +163,7 @@ std::string plot_script(const ChartSummary& summary, const std::string& title) {
                   summary.floor ? ", less the noise of the reference" : "", plot_bottom(summary));
   for (const bool over_time : {true, false}) {
     const Range x = x_range(summary, over_time);
-    text += fmt::format("\nset xlabel '{}'\nset xtics ({})\n",
+    text += fmt::format("\nset xlabel '{}'\nset xtics {}\n",
                         over_time ? "render time of one picture, seconds (wall clock)"
                                   : "samples per pixel",
                         tics(summary, over_time));

@@ -13,8 +13,7 @@
 namespace raytracing {
 namespace {
 
-// The time that comes nearest to one that every method has been measured at: the longest of the
-// fastest method.
+// The longest time up to which every method has been measured.
 double common_time(const ChartSummary& summary) {
   double time = INFINITY;
   for (const MethodSummary& m : summary.methods) {
@@ -25,12 +24,12 @@ double common_time(const ChartSummary& summary) {
   return time;
 }
 
-const ChartPoint& nearest_point(const MethodSummary& method, double seconds) {
-  return *std::min_element(method.points.begin(), method.points.end(),
-                           [seconds](const ChartPoint& a, const ChartPoint& b) {
-                             return std::abs(std::log(a.seconds.median / seconds)) <
-                                    std::abs(std::log(b.seconds.median / seconds));
-                           });
+// What the method reaches within that time; where even its first point takes longer, that one.
+const ChartPoint& best_within(const MethodSummary& method, double seconds) {
+  const ChartPoint* best = &method.points.front();
+  for (const ChartPoint& p : method.points)
+    if (p.seconds.median <= seconds && p.spp > best->spp) best = &p;
+  return *best;
 }
 
 // Its left upper part: an error picture has its legend below, and may be wider.
@@ -52,14 +51,14 @@ std::string png(const ImageData& image) {
 
 ReportPicture picture_of(const MethodSummary& method, double seconds, const RunLog& log,
                          const Reference& reference, const PixelMask& counted) {
-  const ChartPoint& point = nearest_point(method, seconds);
+  const ChartPoint& point = best_within(method, seconds);
   const std::string_view name = method.method->name;
   const ChartRun& run = *log.find(name, point.spp, 0);
   const ImageData image = read_image(log.picture_path(name, point.spp, 0));
   const ImageData errors = error_picture(image, reference.picture, counted);
   return {fmt::format("{}{}", name, method.method->unbiased ? "" : " (biased)"),
-          fmt::format("{} spp, median of {:.3g} s, relMSE {:.3g}", point.spp, point.seconds.median,
-                      run.relmse),
+          fmt::format("{} spp in {:.3g} s (median), of at most {:.3g} s; relMSE {:.3g}", point.spp,
+                      point.seconds.median, seconds, run.relmse),
           png(image), png(cropped(errors, image.width, image.height))};
 }
 
@@ -82,8 +81,9 @@ std::string best_at(const ChartSummary& summary, double seconds) {
   for (const MethodSummary& m : summary.methods)
     ranks.emplace_back(*error_at(m.curve, seconds), std::string(m.method->name));
   std::sort(ranks.begin(), ranks.end());
-  std::string text = fmt::format("In {:.3g} s, the least relMSE is that of {}: {:.3g}", seconds,
-                                 ranks.front().second, ranks.front().first);
+  std::string text =
+      fmt::format("In {:.3g} s, the least relMSE (median over the seeds) is that of {}: {:.3g}",
+                  seconds, ranks.front().second, ranks.front().first);
   for (std::size_t i = 1; i < ranks.size(); ++i)
     text += fmt::format("{} {} has {:.2f} times as much", i == 1 ? ";" : ",", ranks[i].second,
                         ranks[i].first / ranks[0].first);
@@ -104,8 +104,9 @@ std::vector<std::string> notes(const ChartSummary& summary) {
     if (m.bias() && m.bias()->detected)
       result.push_back(fmt::format("{}: {}.", m.method->name, to_text(*m.bias())));
   result.push_back(
-      "relMSE is the mean over pixels and channels of (x-r)^2 / (r^2 + 0.01), with x the picture "
-      "and r the reference. The error maps show it per pixel, on a logarithmic scale from black "
+      "Methods whose bands overlap in the charts are not told apart by so few seeds. relMSE is the "
+      "mean over pixels and channels of (x-r)^2 / (r^2 + 0.01), with x the picture and r the "
+      "reference. The error maps show it per pixel, on a logarithmic scale from black "
       "(1e-5 and less) over red to light yellow (10 and more).");
   return result;
 }
@@ -121,12 +122,15 @@ Report chart_report(const ChartSettings& settings, const ChartSummary& summary, 
   report.pictures = pictures(summary, log, reference, counted);
   if (has_charts)
     report.charts = {
-        {"Error against render time: median and min-max band over the seeds", read_file(settings.folder + "/error_vs_time.svg")},
+        {"Error against render time: median and min-max band over the seeds",
+         read_file(settings.folder + "/error_vs_time.svg")},
         {"Error against samples per pixel", read_file(settings.folder + "/error_vs_spp.svg")}};
   report.tables = chart_tables(summary);
   report.facts = std::move(facts);
   for (const auto& [name, value] : common_metadata(settings))
-    if (name != "software" && name != "build" && name != "argv")
+    if (std::none_of(report.facts.begin(), report.facts.end(),
+                     [&](const auto& fact) { return fact.first == name; }) &&
+        name != "software" && name != "argv")
       report.facts.emplace_back(
           name, std::visit([](const auto& v) { return fmt::format("{}", v); }, value));
   report.facts.emplace_back("seeds", std::to_string(settings.seeds));

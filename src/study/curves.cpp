@@ -59,7 +59,8 @@ std::vector<double> round_numbers(double low, double high) {
   std::vector<double> numbers;
   for (double e = std::floor(std::log10(low)); std::pow(10, e) <= high; e += 1)
     for (const double digit : {1.0, 2.0, 5.0}) {
-      const double number = digit * std::pow(10, e);
+      // Dividing by a power that is exact gives the nearest number to the decimal one.
+      const double number = e < 0 ? digit / std::pow(10, -e) : digit * std::pow(10, e);
       if (low <= number && number <= high) numbers.push_back(number);
     }
   return numbers;

@@ -5,9 +5,7 @@
 #include <numbers>
 
 namespace raytracing {
-namespace {
-
-// P(|T| <= t), a finite sum for a whole number of degrees of freedom (Abramowitz and Stegun 1964,
+// A finite sum for a whole number of degrees of freedom (Abramowitz and Stegun 1964,
 // 26.7.3 and 26.7.4).
 double student_t_probability(double t, int degrees) {
   const double angle = std::atan(t / std::sqrt(degrees));
@@ -20,8 +18,6 @@ double student_t_probability(double t, int degrees) {
   }
   return odd ? 2 / std::numbers::pi * (angle + std::sin(angle) * sum) : std::sin(angle) * sum;
 }
-
-}  // namespace
 
 double student_t_quantile(double probability, int degrees) {
   double low = 0, high = 1;

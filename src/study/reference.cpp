@@ -32,6 +32,15 @@ std::vector<DVec3> variance_layers(const ImageData& picture) {
   return variance;
 }
 
+bool is_variance(const DVec3& v) {
+  return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
+}
+
+bool has_replicates(const ImageData& picture) {
+  const std::string replicates = header_text(picture, "replicates");
+  return !replicates.empty() && replicates != "1";
+}
+
 void expect_equal(const std::string& path, const char* what, const std::string& found,
                   const std::string& wanted) {
   if (found.empty() || found == wanted) return;
@@ -89,11 +98,17 @@ Reference to_reference(ImageData picture) {
     reference.variance_source = "from two independent halves";
   } else if (!RgbView::has(reference.picture, "variance.")) {
     reference.variance_source = "not known: the file has neither halves nor variance";
-  } else if (header_text(reference.picture, "sampler") == "independent") {
+  } else if (header_text(reference.picture, "sampler") == "independent" ||
+             has_replicates(reference.picture)) {
     reference.variance = variance_layers(reference.picture);
     reference.variance_source = "from the variance layers";
   } else {
-    reference.variance_source = "not known: the variance layers are not of independent samples";
+    reference.variance_source =
+        "not known: the variance layers are neither of independent samples nor of replicates";
+  }
+  if (!std::all_of(reference.variance.begin(), reference.variance.end(), is_variance)) {
+    reference.variance.clear();
+    reference.variance_source = "not known: the variance of some pixels is no finite number";
   }
   return reference;
 }
@@ -120,6 +135,12 @@ Reference read_reference(const std::string& path, const ReferenceTerms& terms) {
   if (header_text(picture, "lightSamplingBiased") == "yes")
     throw InputError(fmt::format("{}: not a reference: its method {} is biased", path,
                                  header_text(picture, "lightSampling")));
+  const std::string complete = header_text(picture, "complete");
+  if (!complete.empty() && complete != "yes")
+    throw InputError(path + ": not a reference: its rendering was stopped early");
+  for (const char* name : {"sceneHash", "maxDepth", "lightSamplingBiased", "complete"})
+    if (header_text(picture, name).empty())
+      reference.unchecked += (reference.unchecked.empty() ? "" : ", ") + std::string(name);
   const std::string seed = header_text(picture, "seed");
   for (const std::uint64_t other : terms.seeds)
     if (seed == std::to_string(other))

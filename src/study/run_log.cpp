@@ -106,8 +106,16 @@ RunLog::RunLog(std::string folder) : folder_(std::move(folder)) {
     for (std::size_t end; (end = text.find('\n')) != std::string_view::npos;
          text.remove_prefix(end + 1)) {
       const auto run = run_from_csv(text.substr(0, end));
-      if (run && std::filesystem::exists(picture_path(run->method, run->spp, run->repetition)))
+      if (!run) continue;
+      if (std::filesystem::exists(picture_path(run->method, run->spp, run->repetition)))
         runs_.push_back(*run);
+      else
+        ++dropped_;
+    }
+    if (dropped_ > 0) {
+      OutputFile old(path + ".old");
+      old.write(bytes);
+      old.commit();
     }
   }
   OutputFile table(path);

@@ -1,7 +1,11 @@
 #include "raytracing/study/z_scores.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "raytracing/study/power_law.h"
+#include "raytracing/study/reference.h"
 #include "raytracing/study/rgb_view.h"
 
 namespace raytracing {
@@ -42,7 +46,35 @@ struct Tally {
   }
 };
 
+// Degrees of freedom of the picture's variances: 0 = no layers, or not known.
+double degrees_of(const ImageData& image) {
+  if (!RgbView::has(image, "variance.")) return 0;
+  const double replicates = std::atof(header_text(image, "replicates").c_str());
+  const double spp = std::atof(header_text(image, "spp").c_str());
+  return std::max(0.0, (replicates > 1 ? replicates : spp) - 1);
+}
+
+bool overstates(const ImageData& image) {
+  const std::string replicates = header_text(image, "replicates");
+  return RgbView::has(image, "variance.") && header_text(image, "sampler") == "sobol" &&
+         (replicates.empty() || replicates == "1");
+}
+
 }  // namespace
+
+ExpectedScores expected_scores(const ImageData& test, const ImageData& reference) {
+  constexpr double kMany = 1000;  // from here on a normal distribution
+  const double degrees = degrees_of(test) + degrees_of(reference);
+  const bool normal = degrees < 1 || degrees > kMany;
+  const int whole = normal ? static_cast<int>(kMany) : static_cast<int>(degrees);
+  ExpectedScores e{};
+  e.degrees = normal ? 0 : whole;
+  e.share_196 = normal ? std::erfc(1.96 / std::sqrt(2.0)) : 1 - student_t_probability(1.96, whole);
+  e.share_3 = normal ? std::erfc(3 / std::sqrt(2.0)) : 1 - student_t_probability(3, whole);
+  e.rms = normal ? 1 : whole > 2 ? std::sqrt(whole / (whole - 2.0)) : INFINITY;
+  e.overstated = overstates(test) || overstates(reference);
+  return e;
+}
 
 std::optional<ZScores> z_scores(const ImageData& test, const ImageData& reference,
                                 const PixelMask& mask) {

@@ -45,6 +45,15 @@ TEST(CompareExit, NonFinitePixelsAreToldAndNotWithinAnyLimit) {
   EXPECT_EQ(folder.compare({"b.exr", "b.exr", "--max-relmse", "1"}).exit_code, 1);
 }
 
+TEST(CompareExit, NothingIsOverwrittenByAnother) {
+  const OneChannelOff folder;
+  expect_one_line(folder.compare({"a.exr", "b.exr", "--diff", "./a.exr"}), 2,
+                  "./a.exr: would be overwritten: it is named twice");
+  expect_one_line(folder.compare({"a.exr", "b.exr", "--diff", "d.png", "--json", "d.png"}), 2,
+                  "d.png: would be overwritten: it is named twice");
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
+}
+
 // Without a pixel that counts there is no error to be within a limit.
 TEST(CompareExit, AMaskThatLeavesNothingPassesNoLimit) {
   const OneChannelOff folder;

@@ -173,6 +173,8 @@ TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
   };
   EXPECT_EQ(kind({}), "");
   EXPECT_NE(kind({"--variance"}).find("too large"), std::string::npos);
+  EXPECT_NE(kind({"--variance", "--spp", "1"}).find("unknown"), std::string::npos);
+  EXPECT_EQ(read_with_oiio(folder.folder / "x.exr").at(3, 3, "variance.G"), INFINITY);
   EXPECT_NE(kind({"--variance", "--sampler", "independent"}).find("honest"), std::string::npos);
 }
 

@@ -81,6 +81,24 @@ TEST(Reference, VarianceLayersCountWhenTheSamplesAreIndependent) {
   const Reference reference = to_reference(picture);
   ASSERT_EQ(reference.variance.size(), 4u);
   EXPECT_EQ(reference.variance[1].y, picture.values[9 + 4]);
+  picture.metadata = {{"sampler", std::string("sobol")}, {"replicates", std::int64_t{4}}};
+  EXPECT_EQ(to_reference(picture).variance.size(), 4u);
+  picture.metadata[1].second = std::int64_t{1};
+  EXPECT_TRUE(to_reference(picture).variance.empty());
+}
+
+TEST(Reference, VarianceThatIsNoneMakesTheNoiseUnknown) {
+  NoisyPictures maker(2, 1);
+  for (const float bad : {INFINITY, NAN, -1.0f}) {
+    ImageData picture = join_halves(maker.picture(0.1), maker.picture(0.1));
+    picture.channels = {"R", "G", "B", "variance.R", "variance.G", "variance.B", "x", "y", "z"};
+    picture.metadata = {{"sampler", std::string("independent")}};
+    picture.values[9 + 5] = bad;
+    const Reference reference = to_reference(picture);
+    EXPECT_TRUE(reference.variance.empty());
+    EXPECT_EQ(reference.variance_source,
+              "not known: the variance of some pixels is no finite number");
+  }
 }
 
 class ReferenceFile : public ::testing::Test {
@@ -90,7 +108,8 @@ class ReferenceFile : public ::testing::Test {
                          {"maxDepth", std::string("1")},
                          {"seed", std::int64_t{7}},
                          {"lightSampling", std::string("line")},
-                         {"lightSamplingBiased", std::string("no")}};
+                         {"lightSamplingBiased", std::string("no")},
+                         {"complete", std::string("yes")}};
   }
 
   void set(const std::string& name, const std::string& value) {
@@ -116,9 +135,19 @@ class ReferenceFile : public ::testing::Test {
 
 TEST_F(ReferenceFile, OfThisChartIsTaken) { EXPECT_EQ(refusal(), ""); }
 
-TEST_F(ReferenceFile, WithoutHeaderIsTaken) {
+TEST_F(ReferenceFile, WithoutHeaderIsTakenAndWhatWasNotCheckedIsTold) {
+  const auto unchecked = [this] {
+    return read_reference(folder_.write("r.exr", encode_image(picture_, ImageFormat::exr)), terms_)
+        .unchecked;
+  };
+  EXPECT_EQ(unchecked(), "");
   picture_.metadata.clear();
-  EXPECT_EQ(refusal(), "");
+  EXPECT_EQ(unchecked(), "sceneHash, maxDepth, lightSamplingBiased, complete");
+}
+
+TEST_F(ReferenceFile, ThatWasStoppedIsRefused) {
+  set("complete", "no, stopped early");
+  EXPECT_EQ(refusal(), ": not a reference: its rendering was stopped early");
 }
 
 TEST_F(ReferenceFile, OfAnotherSizeIsRefused) {

@@ -104,8 +104,12 @@ TEST(RunLog, ARowWithoutItsPictureIsTakenOut) {
   const LogFolder at;
   const std::string good = run_csv_header() + "\n" + to_csv(example(0)) + "\n";
   at.folder.write("runs.csv", good + to_csv(example(9)) + "\n");
-  EXPECT_EQ(at.log().runs().size(), 1u);
+  const RunLog log = at.log();
+  EXPECT_EQ(log.runs().size(), 1u);
+  EXPECT_EQ(log.dropped(), 1u);
   EXPECT_EQ(read_file(at.csv), good);
+  EXPECT_EQ(read_file(at.csv + ".old"), good + to_csv(example(9)) + "\n");
+  EXPECT_EQ(at.log().dropped(), 0u);
 }
 
 TEST(RunLog, AnotherTableIsRefusedAndLeftAlone) {

@@ -90,12 +90,44 @@ TEST(ZScores, HaveTheExpectedShares) {
   const auto close = [&](double share, double expected) {
     EXPECT_NEAR(share, expected, 5 * std::sqrt(expected / count));
   };
-  close(z.share_196, kExpectedShare196);
-  close(z.share_3, kExpectedShare3);
+  const ExpectedScores expected = expected_scores(test, reference);
+  close(z.share_196, expected.share_196);
+  close(z.share_3, expected.share_3);
   EXPECT_NEAR(z.mean, 0, 5 / std::sqrt(count));
   EXPECT_NEAR(z.rms, 1, 5 / std::sqrt(2 * count));
-  EXPECT_DOUBLE_EQ(kExpectedShare196, std::round(1e7 * std::erfc(1.96 / std::sqrt(2.0))) / 1e7);
-  EXPECT_DOUBLE_EQ(kExpectedShare3, std::round(1e7 * std::erfc(3 / std::sqrt(2.0))) / 1e7);
+}
+
+// python3 -c "from scipy.stats import norm, t; print(2 * norm.sf(1.96), 2 * norm.sf(3));
+//   print(2 * t.sf(1.96, 14), 2 * t.sf(3, 14), 2 * t.sf(1.96, 7))"
+TEST(ZScores, ExpectationsFollowTheHeaders) {
+  ImageData test, reference;
+  test.channels = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
+  reference.channels = {"R", "G", "B"};
+  const auto set = [](ImageData& image, std::int64_t spp, std::int64_t replicates,
+                      const char* sampler) {
+    image.metadata = {
+        {"spp", spp}, {"replicates", replicates}, {"sampler", std::string(sampler)}};
+  };
+  const ExpectedScores unknown = expected_scores(test, reference);
+  EXPECT_EQ(unknown.degrees, 0);
+  EXPECT_NEAR(unknown.share_196, 0.04999579, 1e-8);
+  EXPECT_NEAR(unknown.share_3, 0.00269980, 1e-8);
+  EXPECT_FALSE(unknown.overstated);
+  set(test, 64, 8, "sobol");
+  set(reference, 64, 8, "sobol");
+  EXPECT_EQ(expected_scores(test, reference).degrees, 7);  // the reference has no variance
+  EXPECT_NEAR(expected_scores(test, reference).share_196, 0.09081970, 1e-8);
+  reference.channels = test.channels;
+  EXPECT_EQ(expected_scores(test, reference).degrees, 14);
+  EXPECT_NEAR(expected_scores(test, reference).share_196, 0.07021027, 1e-8);
+  EXPECT_NEAR(expected_scores(test, reference).share_3, 0.00955151, 1e-8);
+  EXPECT_NEAR(expected_scores(test, reference).rms, std::sqrt(14 / 12.0), 1e-12);
+  EXPECT_FALSE(expected_scores(test, reference).overstated);
+  set(reference, 64, 1, "sobol");
+  EXPECT_TRUE(expected_scores(test, reference).overstated);
+  set(reference, 4096, 1, "independent");
+  EXPECT_EQ(expected_scores(test, reference).degrees, 0);
+  EXPECT_FALSE(expected_scores(test, reference).overstated);
 }
 
 }  // namespace

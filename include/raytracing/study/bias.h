@@ -28,7 +28,8 @@ class SeedMoments {
 /// seeds, S^2 the variance between them, r the reference and V its estimated squared error,
 ///   (X - r)^2 - S^2 / N - V
 /// has the expectation bias^2 at every pixel, when seeds and reference are independent and the
-/// reference is unbiased.
+/// reference is unbiased. The standard errors come from the scatter over the pixels: noise, and
+/// where there is bias its own spread over the picture, which makes them too large.
 struct BiasEstimate {
   Estimate squared;           ///< mean bias^2; scattered about 0 for an unbiased method
   Estimate relative_squared;  ///< the same with the weights of relMSE

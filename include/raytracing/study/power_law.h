@@ -5,6 +5,9 @@
 
 namespace raytracing {
 
+/// P(|T| <= t) for Student's distribution with `degrees` >= 1 degrees of freedom; t >= 0.
+double student_t_probability(double t, int degrees);
+
 /// The t >= 0 with P(|T| <= t) = `probability` for Student's distribution with `degrees` >= 1
 /// degrees of freedom; 0 <= probability < 1.
 double student_t_quantile(double probability, int degrees);

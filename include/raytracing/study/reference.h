@@ -16,6 +16,7 @@ struct Reference {
   /// Estimate of each pixel's squared error, E[(r - truth)^2]; empty when not known.
   std::vector<DVec3> variance;
   std::string variance_source;  ///< how it is known, or why not, for people
+  std::string unchecked = "";   ///< terms that the file's header does not tell, for people
 };
 
 /// What a perfect picture would measure against the reference: the mean of the reference's own
@@ -40,7 +41,7 @@ ImageData join_halves(const ImageData& a, const ImageData& b);
 
 /// Takes the noise from the layers halfA and halfB, where ((A - B) / 2)^2 has the expectation
 /// E[(r - truth)^2] of the mean r of both; else from the layers variance, unless their header does
-/// not show them to be unbiased, as with correlated samples of one randomisation.
+/// not show them to be unbiased (independent samples, or replicates) or some are no finite numbers.
 Reference to_reference(ImageData picture);
 
 /// What the picture's header says under this name as text; "" when it does not.
@@ -55,7 +56,8 @@ struct ReferenceTerms {
 };
 
 /// Reads an EXR picture as the reference. Throws InputError when it is none, of another size, or
-/// when its header tells of another scene or depth, of a biased method, or of one of the seeds.
+/// when its header tells of another scene or depth, of a biased method, of one of the seeds, or of a
+/// rendering that was stopped.
 Reference read_reference(const std::string& path, const ReferenceTerms& terms);
 
 }  // namespace raytracing

@@ -42,11 +42,14 @@ std::optional<ChartRun> run_from_csv(std::string_view line);
 /// A run is finished when it has both.
 class RunLog {
  public:
-  /// Reads what is there. Rows that were cut off or have no picture are taken out. Throws
-  /// InputError for a file that is not such a table, OutputError.
+  /// Reads what is there. Rows that were cut off or have no picture are taken out; in the second
+  /// case the table as it was is kept as runs.csv.old. Throws InputError for a file that is not such
+  /// a table, OutputError.
   explicit RunLog(std::string folder);
 
   const std::vector<ChartRun>& runs() const { return runs_; }
+  /// Rows that were taken out because their picture is missing.
+  std::size_t dropped() const { return dropped_; }
   const ChartRun* find(std::string_view method, std::uint64_t spp, std::uint64_t repetition) const;
   std::string picture_path(std::string_view method, std::uint64_t spp,
                            std::uint64_t repetition) const;
@@ -60,6 +63,7 @@ class RunLog {
 
   std::string folder_;
   std::vector<ChartRun> runs_;
+  std::size_t dropped_ = 0;
   std::unique_ptr<std::FILE, Close> file_;
 };
 

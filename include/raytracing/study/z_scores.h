@@ -23,7 +23,16 @@ struct ZScores {
   std::uint64_t not_finite;   ///< channels where a value or a variance is no finite number or < 0
 };
 
-inline constexpr double kExpectedShare196 = 0.0499958, kExpectedShare3 = 0.0026998;
+/// What the shares and the RMS should be for pictures of the same expectation.
+struct ExpectedScores {
+  double share_196, share_3, rms;
+  int degrees;      ///< of freedom of Student's t; 0 = a normal distribution
+  bool overstated;  ///< a variance takes Sobol' samples as independent: all should be less
+};
+
+/// From the headers: samples and replicates make the degrees of freedom of each variance, which
+/// add up as for variances of one size (Welch 1947). Without a header as for many samples.
+ExpectedScores expected_scores(const ImageData& test, const ImageData& reference);
 
 /// Nothing when neither picture has variance layers. Throws InputError as error_metrics() does.
 std::optional<ZScores> z_scores(const ImageData& test, const ImageData& reference,
