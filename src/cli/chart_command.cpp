@@ -11,7 +11,6 @@
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/io/image_reader.h"
 #include "raytracing/study/chart_plot.h"
 #include "raytracing/study/chart_report.h"
 #include "raytracing/study/chart_runs.h"
@@ -57,7 +56,8 @@ class Chart {
     std::error_code error;
     std::filesystem::create_directories(a_.folder, error);
     if (error) throw OutputError(a_.folder + ": " + error.message());
-    const PixelMask mask = read_mask();
+    const PixelMask mask = read_mask(a_.mask, settings_.width, settings_.height);
+    if (!a_.mask.empty()) mask_id_ = fmt::format("{:016x}", hash_bytes(read_file(a_.mask)));
     if (a_.reference != "auto") {
       reference_ = read_reference(a_.reference, terms());
       if (!reference_->unchecked.empty())
@@ -85,16 +85,6 @@ class Chart {
                          depth_text(settings_.max_depth), {}};
     for (const PlannedRun& run : plan_runs(settings_)) terms.seeds.push_back(run.seed);
     return terms;
-  }
-
-  PixelMask read_mask() {
-    if (a_.mask.empty()) return {};
-    mask_id_ = fmt::format("{:016x}", hash_bytes(read_file(a_.mask)));
-    const ImageData mask = read_image(a_.mask);
-    if (mask.width != settings_.width || mask.height != settings_.height)
-      throw InputError(fmt::format("{}: {}x{} pixels, but the pictures have {}x{}", a_.mask,
-                                   mask.width, mask.height, settings_.width, settings_.height));
-    return to_mask(mask);
   }
 
   // Of all that the reference depends on.

@@ -7,6 +7,7 @@
 
 #include "limits.h"
 #include "option_list.h"
+#include "raytracing/study/error_metrics.h"
 
 namespace raytracing {
 namespace {
@@ -62,7 +63,7 @@ struct ChartOptionList : OptionList {
     add_reference_options();
     add_picture_options();
     refuse_extra_with([this] { return "one scene file is enough, and it is " + a.scene; });
-    add_footer("Errors are relMSE = mean of (x-r)^2 / (r^2 + 0.01) over pixels and channels.\n");
+    add_footer("Errors are relMSE = " + relmse_formula() + " over pixels and channels.\n");
   }
 
   void add_run_options() {

@@ -69,15 +69,6 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
   return a;
 }
 
-PixelMask read_mask(const std::string& path, const ImageData& test) {
-  if (path.empty()) return {};
-  const ImageData mask = read_image(path);
-  if (mask.width != test.width || mask.height != test.height)
-    throw InputError(fmt::format("{}: {}x{} pixels, but the pictures have {}x{}", path, mask.width,
-                                 mask.height, test.width, test.height));
-  return to_mask(mask);
-}
-
 // Whether the picture passes; a picture with pixels that are not finite has no finite error.
 bool within_limit(const ErrorMetrics& m, const std::optional<double>& limit) {
   if (!limit) return true;
@@ -102,7 +93,7 @@ int compare_command(const Arguments& arguments) {
   if (test.width != reference.width || test.height != reference.height)
     throw InputError(fmt::format("{}: {}x{} pixels, but {} has {}x{}", a.test, test.width,
                                  test.height, a.reference, reference.width, reference.height));
-  const PixelMask mask = read_mask(a.mask, test);
+  const PixelMask mask = read_mask(a.mask, test.width, test.height);
   const Comparison comparison{a.test,
                               a.reference,
                               error_metrics(test, reference, mask),

@@ -41,12 +41,14 @@ struct PlanePoints {
   Lanes t() const { return beta / (alpha + beta); }  // exactly 0 or 1 after a clip
 };
 
-[[gnu::always_inline]] inline PlanePoints select(const Mask& mask, const PlanePoints& yes, const PlanePoints& no) {
+[[gnu::always_inline]] inline PlanePoints select(const Mask& mask, const PlanePoints& yes,
+                                                 const PlanePoints& no) {
   return {select(mask, yes.alpha, no.alpha), select(mask, yes.beta, no.beta),
           select(mask, yes.depth, no.depth)};
 }
 
-[[gnu::always_inline]] inline PlanePoints mix(const PlanePoints& a, const PlanePoints& b, const Lanes& s) {
+[[gnu::always_inline]] inline PlanePoints mix(const PlanePoints& a, const PlanePoints& b,
+                                              const Lanes& s) {
   return {a.alpha + s * (b.alpha - a.alpha), a.beta + s * (b.beta - a.beta),
           a.depth + s * (b.depth - a.depth)};
 }

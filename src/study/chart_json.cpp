@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "raytracing/study/chart_summary.h"
+#include "raytracing/study/error_metrics.h"
 
 namespace raytracing {
 namespace {
@@ -76,7 +77,7 @@ Json json(const MethodSummary& m) {
 Json definitions() {
   return {
       {"mse", "mean over pixels and channels of (x-r)^2"},
-      {"relmse", "mean over pixels and channels of (x-r)^2 / (r^2 + 0.01)"},
+      {"relmse", relmse_formula() + " over pixels and channels"},
       {"smape", "mean over pixels and channels of |x-r| / (|x| + |r| + 0.01)"},
       {"corrected", "less noise_floor; not clamped, so that it may be negative"},
       {"seconds", "wall clock of the rendering, without loading the scene and writing the picture"},

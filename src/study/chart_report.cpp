@@ -104,10 +104,11 @@ std::vector<std::string> notes(const ChartSummary& summary) {
     if (m.bias() && m.bias()->detected)
       result.push_back(fmt::format("{}: {}.", m.method->name, to_text(*m.bias())));
   result.push_back(
-      "Methods whose bands overlap in the charts are not told apart by so few seeds. relMSE is the "
-      "mean over pixels and channels of (x-r)^2 / (r^2 + 0.01), with x the picture and r the "
-      "reference. The error maps show it per pixel, on a logarithmic scale from black "
-      "(1e-5 and less) over red to light yellow (10 and more).");
+      "Methods whose bands overlap in the charts are not told apart by so few seeds. relMSE is the " +
+      relmse_formula() +
+      " over pixels and channels, with x the picture and r the reference. The error maps show it "
+      "per pixel, on a logarithmic scale from black (1e-5 and less) over red to light yellow (10 "
+      "and more).");
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/io/image_reader.h"
 #include "raytracing/study/rgb_view.h"
 
 namespace raytracing {
@@ -74,6 +75,19 @@ ErrorMetrics error_metrics(const ImageData& test, const ImageData& reference,
   m.smape = sums.symmetric / count;
   m.mean_ratio = sums.test / sums.reference;
   return m;
+}
+
+PixelMask read_mask(const std::string& path, int width, int height) {
+  if (path.empty()) return {};
+  const ImageData mask = read_image(path);
+  if (mask.width != width || mask.height != height)
+    throw InputError(fmt::format("{}: {}x{} pixels, but the pictures have {}x{}", path, mask.width,
+                                 mask.height, width, height));
+  return to_mask(mask);
+}
+
+std::string relmse_formula() {
+  return fmt::format("mean of (x-r)^2 / (r^2 + {})", kRelMseEpsilon);
 }
 
 PixelMask to_mask(const ImageData& mask) {

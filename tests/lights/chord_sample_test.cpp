@@ -38,8 +38,8 @@ TEST(ChordSample, DensityOfChordsIntegratesToTheArea) {
   }
 }
 
-// Whole chords move with u as their density says: pdf_u dx/du = 1. From close to the light's plane and
-// edges too.
+// Whole chords move with u as their density says: pdf_u dx/du = 1. From close to the light's plane
+// and edges too.
 TEST(ChordSample, WholeChordsHaveTheDensityTheyPromise) {
   for (const auto& corners : {kRectangle, kTriangle, kPentagon}) {
     const AreaLight light(corners, Rgb(1.0f));

@@ -16,8 +16,8 @@ namespace raytracing {
 /// public builder and walked here, and a list of spheres. Immutable; queries are thread-safe.
 ///
 /// The triangle (p, a, b = a + d) spans the query. In its plane a point is
-/// p + alpha (a-p) + beta (b-p); what lies at alpha, beta >= 0 and alpha + beta < 1 hides the point t = beta / (alpha + beta) of
-/// the segment. Triangles cut that plane in segments, so that each hides one interval of t.
+/// p + alpha (a-p) + beta (b-p); what lies at alpha, beta >= 0 and alpha + beta < 1 hides the point
+/// t = beta / (alpha + beta) of the segment. Triangles cut that plane in segments, so that each hides one interval of t.
 class SegmentVisibility {
  public:
   SegmentVisibility() = default;
@@ -28,8 +28,8 @@ class SegmentVisibility {
                     int threads);
 
   /// The parts within `range` of the segment a + t d, t in [0,1], that are seen from p. Triangles
-  /// of the group `skipped` hide nothing; nor does what lies in the query's plane, or at p itself. A
-  /// segment whose line runs through p counts as visible.
+  /// of the group `skipped` hide nothing; nor does what lies in the query's plane, or at p itself.
+  /// A segment whose line runs through p counts as visible.
   IntervalSet visible_part(const Vec3& p, const Vec3& a, const Vec3& d, const Interval& range,
                            std::uint32_t skipped = kNone) const;
 

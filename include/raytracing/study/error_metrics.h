@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "raytracing/io/image_file.h"
@@ -37,6 +38,11 @@ ErrorMetrics error_metrics(const ImageData& test, const ImageData& reference,
 
 /// A pixel counts where the linear mean of R, G, B is at least 1/2: white, not black.
 PixelMask to_mask(const ImageData& mask);
+/// Reads the mask from a picture of this size; no mask for the path "". Throws InputError.
+PixelMask read_mask(const std::string& path, int width, int height);
+
+/// What relMSE is, for people.
+std::string relmse_formula();
 
 /// Throws InputError, which tells both sizes, unless they are equal.
 void check_same_size(const ImageData& test, const ImageData& reference);
