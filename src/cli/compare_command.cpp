@@ -22,7 +22,7 @@ namespace {
 
 struct CompareArguments {
   std::string test, reference;
-  std::string mask, diff, json;  // "" = none
+  std::string mask, diff, z_scores, json;  // "" = none
   std::optional<double> max_relmse;
   std::optional<std::string> help;
 };
@@ -55,6 +55,8 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
                    "Write the relative squared error of each pixel in false colours, .png or .exr: "
                    "black (1e-5 and less) to light yellow (10 and more); cyan is not finite, grey "
                    "lies outside of the mask");
+  options.add_text("--z-scores", a.z_scores, "FILE.exr",
+                   "Write the z-score of each channel of each pixel; NaN where there is none");
   options.add_real("--max-relmse", a.max_relmse, 0, std::numeric_limits<double>::max(),
                    "End with exit code 1 when relMSE is above this limit, or A has pixels that are "
                    "not finite");
@@ -65,7 +67,9 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
   if (a.help) return a;
   if (a.reference.empty()) throw_usage("two pictures are needed");
   if (!a.diff.empty()) image_format(a.diff);
-  check_distinct({a.test, a.reference, a.mask}, {a.diff, a.json});
+  check_distinct({a.test, a.reference, a.mask}, {a.diff, a.z_scores, a.json});
+  if (!a.z_scores.empty() && image_format(a.z_scores) != ImageFormat::exr)
+    throw_usage("--z-scores: " + a.z_scores + " is no .exr: z-scores are negative too");
   return a;
 }
 
@@ -100,8 +104,9 @@ int compare_command(const Arguments& arguments) {
                               masked_mean(flip_map(test, reference), mask),
                               z_scores(test, reference, mask),
                               expected_scores(test, reference)};
-  std::optional<OutputFile> diff, json;
+  std::optional<OutputFile> diff, z_picture, json;
   if (!a.diff.empty()) diff.emplace(a.diff);
+  if (!a.z_scores.empty()) z_picture.emplace(a.z_scores);
   if (!a.json.empty()) json.emplace(a.json);
   for (const std::string& note : header_notes(test, a.test, reference, a.reference))
     fmt::print(stderr, "{}\n", note);
@@ -109,6 +114,10 @@ int compare_command(const Arguments& arguments) {
   if (diff) {
     diff->write(encode_image(error_picture(test, reference, mask), image_format(a.diff)));
     diff->commit();
+  }
+  if (z_picture) {
+    z_picture->write(encode_image(z_score_picture(test, reference), ImageFormat::exr));
+    z_picture->commit();
   }
   if (json) {
     json->write(comparison_json(comparison));

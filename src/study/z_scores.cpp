@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
+#include "raytracing/io/errors.h"
 #include "raytracing/study/power_law.h"
 #include "raytracing/study/reference.h"
 #include "raytracing/study/rgb_view.h"
@@ -16,23 +18,54 @@ std::optional<RgbView> variance_of(const ImageData& image) {
   return RgbView(image, "variance.");
 }
 
+// Both pictures and what is known of their variances.
+class Scorer {
+ public:
+  Scorer(const ImageData& test, const ImageData& reference)
+      : x_(test),
+        r_(reference),
+        test_variance_(variance_of(test)),
+        reference_variance_(variance_of(reference)) {}
+
+  bool has_variance() const { return test_variance_ || reference_variance_; }
+  std::size_t pixels() const { return x_.pixels(); }
+  DVec3 difference(std::size_t i) const { return x_[i] - r_[i]; }
+  /// Of the difference; negative where either is.
+  DVec3 variance(std::size_t i) const {
+    const DVec3 x = test_variance_ ? (*test_variance_)[i] : DVec3(0);
+    const DVec3 r = reference_variance_ ? (*reference_variance_)[i] : DVec3(0);
+    DVec3 sum = x + r;
+    for (int c = 0; c < 3; ++c)
+      if (x[c] < 0 || r[c] < 0) sum[c] = -1;
+    return sum;
+  }
+
+ private:
+  RgbView x_, r_;
+  std::optional<RgbView> test_variance_, reference_variance_;
+};
+
+bool has_score(double difference, double variance) {
+  return std::isfinite(difference) && std::isfinite(variance) && variance > 0;
+}
+
 struct Tally {
   ZScores z{};
   double sum = 0, squares = 0;
   std::uint64_t beyond_196 = 0, beyond_3 = 0;
 
   void add(double difference, double variance) {
-    if (!std::isfinite(difference) || !std::isfinite(variance) || variance < 0) {
-      ++z.not_finite;
-    } else if (variance == 0) {
-      ++(difference == 0 ? z.no_variance_equal : z.no_variance_different);
-    } else {
+    if (has_score(difference, variance)) {
       const double score = difference / std::sqrt(variance);
       ++z.scores;
       sum += score;
       squares += score * score;
       beyond_196 += std::abs(score) > 1.96;
       beyond_3 += std::abs(score) > 3;
+    } else if (std::isfinite(difference) && variance == 0) {
+      ++(difference == 0 ? z.no_variance_equal : z.no_variance_different);
+    } else {
+      ++z.not_finite;
     }
   }
 
@@ -79,23 +112,33 @@ ExpectedScores expected_scores(const ImageData& test, const ImageData& reference
 std::optional<ZScores> z_scores(const ImageData& test, const ImageData& reference,
                                 const PixelMask& mask) {
   check_same_size(test, reference);
-  const RgbView xs(test), rs(reference);
-  check_mask_size(mask, xs.pixels());
-  const std::optional<RgbView> test_variance = variance_of(test);
-  const std::optional<RgbView> reference_variance = variance_of(reference);
-  if (!test_variance && !reference_variance) return std::nullopt;
+  const Scorer scorer(test, reference);
+  check_mask_size(mask, scorer.pixels());
+  if (!scorer.has_variance()) return std::nullopt;
   Tally tally;
-  for (std::size_t i = 0; i < xs.pixels(); ++i) {
+  for (std::size_t i = 0; i < scorer.pixels(); ++i) {
     if (!mask.empty() && mask[i] == 0) continue;
-    const DVec3 x = xs[i], r = rs[i];
-    const DVec3 var_x = test_variance ? (*test_variance)[i] : DVec3(0);
-    const DVec3 var_r = reference_variance ? (*reference_variance)[i] : DVec3(0);
-    for (int c = 0; c < 3; ++c) {
-      const bool negative = var_x[c] < 0 || var_r[c] < 0;
-      tally.add(x[c] - r[c], negative ? -1 : var_x[c] + var_r[c]);
-    }
+    const DVec3 difference = scorer.difference(i), variance = scorer.variance(i);
+    for (int c = 0; c < 3; ++c) tally.add(difference[c], variance[c]);
   }
   return tally.result();
+}
+
+ImageData z_score_picture(const ImageData& test, const ImageData& reference) {
+  check_same_size(test, reference);
+  const Scorer scorer(test, reference);
+  if (!scorer.has_variance())
+    throw InputError("z-scores: neither picture has variance layers (render --variance)");
+  ImageData result{test.width, test.height, {"R", "G", "B"}, {}, {}};
+  result.values.reserve(3 * scorer.pixels());
+  for (std::size_t i = 0; i < scorer.pixels(); ++i) {
+    const DVec3 difference = scorer.difference(i), variance = scorer.variance(i);
+    for (int c = 0; c < 3; ++c)
+      result.values.push_back(has_score(difference[c], variance[c])
+                                  ? static_cast<float>(difference[c] / std::sqrt(variance[c]))
+                                  : std::numeric_limits<float>::quiet_NaN());
+  }
+  return result;
 }
 
 }  // namespace raytracing

@@ -152,9 +152,11 @@ TEST(Compare, VarianceLayersGiveZScores) {
                              "--variance", "-o", name})
                   .exit_code,
               0);
-  const RunResult run = folder.compare({"a.exr", "b.exr", "--json", "j"});
+  const RunResult run =
+      folder.compare({"a.exr", "b.exr", "--json", "j", "--z-scores", "z.exr"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err, "");
+  EXPECT_EQ(read_image(folder.folder / "z.exr").values.size(), 12u * 8 * 3);
   EXPECT_NE(run.out.find("\n|z| > 1.96 "), std::string::npos) << run.out;
   const nlohmann::json j = folder.json("j");
   EXPECT_GT(j["z_rms"], 0.7);

@@ -1,4 +1,4 @@
-"""The example report in a headless Chromium, for report_browser_test.py."""
+"""Report pages in a headless Chromium, for report_browser_test.py."""
 import base64
 import json
 import os
@@ -53,15 +53,19 @@ def unfilter(kind, row, above, size):
 
 class ReportBrowser(unittest.TestCase):
     """Opens the page anew for every test and checks after it that the page kept silent."""
-    report_page = ""  # the program that writes the page
+    report_page = ""  # the program that writes the example page
     screenshots = ""  # folder for screenshots, empty for none
+
+    @classmethod
+    def make_page(cls, page):
+        subprocess.run([cls.report_page, str(page)], check=True)
 
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         page = Path(cls.folder.name, "report page.html")
-        subprocess.run([cls.report_page, str(page)], check=True)
+        cls.make_page(page)
         cls.url = page.as_uri()
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")

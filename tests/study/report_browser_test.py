@@ -1,14 +1,16 @@
-"""Opens the example report from disk in a headless Chromium and uses it.
+"""Opens reports from disk in a headless Chromium and uses them.
 
-report_browser_test.py REPORT_PAGE [--screenshots FOLDER]
-REPORT_PAGE is the program that writes the page. Ends with 77 where Chromium, its driver or Selenium
+report_browser_test.py REPORT_PAGE RAYTRACING [--screenshots FOLDER]
+REPORT_PAGE is the program that writes the example page; RAYTRACING makes a small chart. Ends with 77 where Chromium, its driver or Selenium
 is missing. Debian: chromium chromium-driver python3-selenium.
 """
 import argparse
 import importlib.util
 import shutil
+import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 missing = [name for name in ("chromium", "chromedriver") if not shutil.which(name)]
 if importlib.util.find_spec("selenium") is None:
@@ -207,11 +209,44 @@ class ReportPage(ReportBrowser):
         self.assertEqual(picture.size["width"], 3 * 480 / 1.5)
 
 
+class ChartReport(ReportBrowser):
+    """The page of a real chart."""
+    raytracing = ""  # the program
+    scene = Path(__file__).parents[2] / "scenes" / "cornell.toml"
+
+    @classmethod
+    def make_page(cls, page):
+        chart = page.parent / "chart"
+        subprocess.run([cls.raytracing, "chart", "--scene", cls.scene, "--width", "16", "--height",
+                        "16", "--max-depth", "1", "--methods", "point,line", "--spp", "1,4,16",
+                        "--seeds", "2", "--reference-time", "0.2", "--quiet", "--out", chart],
+                       check=True)
+        shutil.copyfile(chart / "report.html", page)
+
+    def test_shows_methods_charts_and_tables(self):
+        self.assertEqual(self.chosen(), ["point", "line"])
+        text = self.browser.find_element(By.TAG_NAME, "main").text
+        for part in ("cornell, 16x16, direct light only", "relMSE", "chart --scene"):
+            self.assertIn(part, text)
+        sizes = self.browser.execute_script(
+            "return [...document.querySelectorAll('.picture img')].map(i => i.naturalWidth)")
+        self.assertEqual(set(sizes), {16})
+        self.assertGreater(len(self.browser.find_elements(By.CSS_SELECTOR, "table tr")), 6)
+
+    def test_slider_and_keys_work(self):
+        self.press(Keys.ARROW_RIGHT)
+        self.assertEqual(self.split(), 52)
+        self.press("3")
+        self.assertEqual(self.chosen()[0], "reference")
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("report_page")
+    parser.add_argument("raytracing")
     parser.add_argument("--screenshots", help="existing folder that screenshots are written to")
     options, rest = parser.parse_known_args()
     ReportBrowser.report_page = options.report_page
+    ChartReport.raytracing = options.raytracing
     ReportBrowser.screenshots = options.screenshots
     unittest.main(argv=sys.argv[:1] + rest, verbosity=2)

@@ -41,6 +41,18 @@ TEST(ZScores, AddTheVariances) {
   EXPECT_EQ(z->no_variance_equal + z->no_variance_different + z->not_finite, 0u);
 }
 
+TEST(ZScores, MakeAPicture) {
+  const ImageData z = z_score_picture(row({{1, 9}, {4, 0.5f}, {1, 0}, {1, kNan}}),
+                                      row({{11, 16}, {0, 0.5f}, {1, 0}, {1, 1}}));
+  EXPECT_EQ(z.width, 4);
+  EXPECT_EQ(z.channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_EQ((std::vector<float>(z.values.begin(), z.values.begin() + 6)),
+            (std::vector<float>{-2, -2, -2, 4, 4, 4}));
+  for (std::size_t i = 6; i < 12; ++i) EXPECT_TRUE(std::isnan(z.values[i])) << i;
+  const ImageData exact{2, 1, {"R", "G", "B"}, {0, 0, 0, 0, 0, 0}, {}};
+  EXPECT_THROW(z_score_picture(exact, exact), InputError);
+}
+
 TEST(ZScores, CountWhatHasNone) {
   const auto z = z_scores(row({{1, 0}, {1, 0}, {kNan, 1}, {1, kNan}, {1, 1}, {1, -1}, {3, 1}}),
                           row({{1, 0}, {2, 0}, {1, 1}, {1, 1}, {1, kInfinity}, {1, 2}, {3, 0}}));
