@@ -7,6 +7,7 @@
 #include "option_list.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/image_file.h"
+#include "raytracing/render/pixel_groups.h"
 
 namespace raytracing {
 namespace {
@@ -71,6 +72,15 @@ struct RenderOptionList : OptionList {
                "is that between the group means over N, which is honest for sobol too; a 95 % "
                "interval takes Student's t with N-1 degrees of freedom (2.36 for 8, 2.13 for 16). "
                "The picture is a little noisier with sobol than without");
+    add_choice("--reuse", {"1", "2", "4", "8"},
+               [this](const std::string& text) {
+                 a.reuse = static_cast<int>(whole_number("--reuse", text, 1, 8));
+               },
+               fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
+                           "(none), 2, 4 or 8; default {}. Unbiased, and --variance stays right for "
+                           "each pixel; but errors of pixels less than {} N apart are alike, so "
+                           "means over regions are less sure than as many independent pixels",
+                           a.reuse, PixelGroups::kStride));
     add_choice("--light-sampling", direct_method_names(),
                [this](const std::string& name) { a.light_sampling = name; },
                "How direct light is sampled: " + alternatives(direct_method_names()) +
@@ -133,6 +143,7 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
   if (o.spp % o.replicates != 0)
     throw UsageError(fmt::format("--replicates: {} does not divide {} samples per pixel",
                                  o.replicates, o.spp));
+  o.reuse = a.reuse;
   o.shade.method =
       find_direct_method(a.light_sampling.empty() ? scene.light_sampling : a.light_sampling);
   o.shade.max_depth = a.max_depth;

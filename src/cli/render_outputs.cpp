@@ -56,6 +56,7 @@ ImageMetadata metadata(const RenderRecord& r) {
       {"seed", whole_number(r.options.seed)},
       {"spp", static_cast<std::int64_t>(r.options.spp)},
       {"replicates", static_cast<std::int64_t>(r.options.replicates)},
+      {"reuse", static_cast<std::int64_t>(r.options.reuse)},
       {"sampler", std::string(to_string(r.options.sampler))},
       {"lightSampling", std::string(method.name)},
       {"lightSamplingBiased", std::string(method.unbiased ? "no" : "yes")},
@@ -101,6 +102,7 @@ std::string stats_json(const RenderRecord& r) {
   j["sampler"] = to_string(r.options.sampler);
   j["spp"] = r.options.spp;
   j["replicates"] = r.options.replicates;
+  j["reuse"] = r.options.reuse;
   j["variance_kind"] = variance_kind(r);
   j["width"] = r.options.width;
   j["height"] = r.options.height;

@@ -159,4 +159,29 @@ bool EmbreeScene::occluded(const Vec3& from, const Vec3& to) const {
   return query.tfar < 0;
 }
 
+unsigned EmbreeScene::occluded8(const Vec3& from, const float* x, const float* y, const float* z,
+                                unsigned wanted) const {
+  RTCRay8 query;
+  alignas(32) int valid[8];
+  for (unsigned k = 0; k < 8; ++k) {
+    valid[k] = (wanted >> k) & 1 ? -1 : 0;
+    query.org_x[k] = from.x;
+    query.org_y[k] = from.y;
+    query.org_z[k] = from.z;
+    query.tnear[k] = 0;
+    query.dir_x[k] = x[k] - from.x;
+    query.dir_y[k] = y[k] - from.y;
+    query.dir_z[k] = z[k] - from.z;
+    query.time[k] = 0;
+    query.tfar[k] = 1;
+    query.mask[k] = ~0u;
+    query.id[k] = k;
+    query.flags[k] = 0;
+  }
+  embree::occluded8(valid, scene_.get(), query);
+  unsigned hidden = 0;
+  for (unsigned k = 0; k < 8; ++k) hidden |= (query.tfar[k] < 0 ? 1u : 0u) << k;
+  return hidden & wanted;
+}
+
 }  // namespace raytracing

@@ -60,13 +60,21 @@ float light_sample_weight(const DirectQuery& query, const Vec3& wi, float pdf_w)
   return balance_heuristic(query.light_pmf * pdf_w, bsdf);
 }
 
+Rgb one_direction(const DirectQuery& query, const Vec3& wi, const Rgb& f_cos, float visible,
+                  float pdf_w) {
+  if (query.directions != nullptr)
+    query.directions->push_back(
+        {wi, query.light.Le * (visible / pdf_w), query.light_pmf * pdf_w});
+  return query.light.Le * f_cos * (visible * light_sample_weight(query, wi, pdf_w) / pdf_w);
+}
+
 Rgb light_point(const DirectQuery& query, Visibility& visibility, const Vec3& q, float pdf_w) {
   // The density is infinite for a vertex in the light's own plane, to which it sends nothing.
   if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
   const Vec3 wi = normalize(q - query.vertex.position);
   const Rgb f_cos = reflected(query.vertex, wi);
   if (is_black(f_cos) || visibility.occluded(query.vertex, q, query.light)) return Rgb(0.0f);
-  return query.light.Le * f_cos * (light_sample_weight(query, wi, pdf_w) / pdf_w);
+  return one_direction(query, wi, f_cos, 1, pdf_w);
 }
 
 }  // namespace raytracing

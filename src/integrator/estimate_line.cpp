@@ -48,8 +48,7 @@ Rgb one_point(const DirectQuery& query, int direction, Visibility& visibility) {
   const float pdf_w = sample->solid_angle > 0 ? 1 / sample->solid_angle
                                               : area_pdf_w(query.light, v.position, q);
   if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
-  return query.light.Le * reflected(v, wi) *
-         (visible * light_sample_weight(query, wi, pdf_w) / pdf_w);
+  return one_direction(query, wi, reflected(v, wi), visible, pdf_w);
 }
 
 }  // namespace

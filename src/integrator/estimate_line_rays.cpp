@@ -15,6 +15,9 @@ Rgb estimate_line_rays(const DirectQuery& query, Visibility& visibility) {
     const Vec3 q = chord->at(t);
     sum += light_point(query, visibility, q, area_pdf_w(query.light, query.vertex.position, q));
   }
+  if (query.directions != nullptr)
+    for (LightSample& sample : *query.directions)
+      sample.light /= static_cast<float>(query.line_rays);
   return sum / static_cast<float>(query.line_rays);
 }
 

@@ -11,30 +11,20 @@
 
 #include "raytracing/integrator/shade.h"
 
+#include "path_steps.h"
 #include "raytracing/materials/bsdf.h"
 #include "raytracing/sampling/warp.h"
 
 namespace raytracing {
 namespace {
 
-// Pairs of the sampler: 0 is the position in the pixel, then three for each vertex.
-constexpr std::uint32_t kPairsPerVertex = 3;
-constexpr std::uint32_t light_pair(std::uint32_t vertex) { return 1 + kPairsPerVertex * vertex; }
-constexpr std::uint32_t bsdf_pair(std::uint32_t vertex) { return light_pair(vertex) + 1; }
-constexpr std::uint32_t choice_pair(std::uint32_t vertex) { return light_pair(vertex) + 2; }
-
 constexpr std::uint32_t kUnlimited = ~0u;
 constexpr std::uint32_t kRouletteDepth = 4;
 // Below 1, so that a path in a room without losses ends.
 constexpr float kLargestSurvival = 0.95f;
 
-struct Bounce {
-  Vec3 from;
-  float pdf_w;   // of BSDF sampling
-  bool counted;  // whether light that it meets shall count
-};
+}  // namespace
 
-// What a vertex that lies on a light emits to the viewer, as far as it is counted here.
 Rgb emission(const Scene& scene, const DirectMethod& method, const Vertex& v,
              const Bounce* bounce) {
   if (v.light == kNone) return Rgb(0.0f);
@@ -47,37 +37,28 @@ Rgb emission(const Scene& scene, const DirectMethod& method, const Vertex& v,
 }
 
 Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& v,
-                 std::uint32_t pair, float choice, PathSampler& sampler,
-                 Visibility& visibility) {
+                 std::uint32_t depth, PathSampler& sampler, Visibility& visibility,
+                 std::vector<LightSample>* directions) {
+  if (directions != nullptr) directions->clear();
   if (scene.lights().empty()) return Rgb(0.0f);
-  const auto chosen = scene.choose_light(choice);
+  const auto chosen = scene.choose_light(sampler.pair(choice_pair(depth)).x);
   const AreaLight& light = scene.lights()[chosen.index];
-  const DirectQuery query{v,       light, chosen.pmf,       sampler.pair(pair),
-                          sampler, pair,  options.line_rays};
-  return options.method->estimate(query, visibility) / chosen.pmf;
+  const std::uint32_t pair = light_pair(depth);
+  const DirectQuery query{v,    light,             chosen.pmf, sampler.pair(pair), sampler,
+                          pair, options.line_rays, directions};
+  const Rgb reflected = options.method->estimate(query, visibility) / chosen.pmf;
+  if (directions != nullptr)
+    for (LightSample& sample : *directions) sample.light /= chosen.pmf;
+  return reflected;
 }
 
-}  // namespace
-
-Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler& sampler,
-          Visibility& visibility, PathLog& log) {
-  log.steps.clear();
-  Rgb radiance(0.0f), throughput(1.0f);
-  Bounce bounce{};
+Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex v, std::uint32_t depth,
+         Rgb radiance, PathSampler& sampler, Visibility& visibility, PathLog& log) {
+  Rgb throughput(1.0f);
   const std::uint32_t max_depth = options.max_depth.value_or(kUnlimited);
-  for (std::uint32_t depth = 0;; ++depth) {
-    const std::optional<Hit> hit = visibility.closest_hit(ray);
-    if (!hit) break;
-    const Vertex v = scene.vertex(ray, *hit);
-    const Rgb emitted =
-        throughput * emission(scene, *options.method, v, depth == 0 ? nullptr : &bounce);
-    radiance += emitted;
-    log.steps.push_back({v.position, v.ng, throughput, emitted, Rgb(0), v.light, 0});
-    if (depth == max_depth) break;
-
-    const Vec2 choice = sampler.pair(choice_pair(depth));
-    const Rgb direct = throughput * direct_light(scene, options, v, light_pair(depth), choice.x,
-                                                 sampler, visibility);
+  for (; depth < max_depth; ++depth) {
+    const Rgb direct =
+        throughput * direct_light(scene, options, v, depth, sampler, visibility);
     radiance += direct;
     log.steps.back().direct = direct;
 
@@ -92,14 +73,31 @@ Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler&
     float survival = 1;
     if (depth + 1 >= kRouletteDepth) {
       survival = std::min(kLargestSurvival, max_component(throughput));
-      if (!(choice.y < survival)) break;
+      if (!(sampler.pair(choice_pair(depth)).y < survival)) break;
       throughput /= survival;
     }
     log.steps.back().survival = survival;
-    bounce = {v.position, sample->pdf_w, counted};
-    ray = {v.ray_origin(), wi};
+    const Bounce bounce{v.position, sample->pdf_w, counted};
+    const Ray ray{v.ray_origin(), wi};
+    const std::optional<Hit> hit = visibility.closest_hit(ray);
+    if (!hit) break;
+    v = scene.vertex(ray, *hit);
+    const Rgb emitted = throughput * emission(scene, *options.method, v, &bounce);
+    radiance += emitted;
+    log.steps.push_back({v.position, v.ng, throughput, emitted, Rgb(0), v.light, 0});
   }
   return radiance;
+}
+
+Rgb shade(const Scene& scene, const ShadeOptions& options, const Ray& ray, PathSampler& sampler,
+          Visibility& visibility, PathLog& log) {
+  log.steps.clear();
+  const std::optional<Hit> hit = visibility.closest_hit(ray);
+  if (!hit) return Rgb(0.0f);
+  const Vertex v = scene.vertex(ray, *hit);
+  const Rgb emitted = emission(scene, *options.method, v, nullptr);
+  log.steps.push_back({v.position, v.ng, Rgb(1.0f), emitted, Rgb(0), v.light, 0});
+  return walk(scene, options, v, 0, emitted, sampler, visibility, log);
 }
 
 }  // namespace raytracing

@@ -8,6 +8,9 @@
 #include <thread>
 #include <tuple>
 
+#include "raytracing/math/numeric.h"
+#include "trace.h"
+
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
@@ -18,6 +21,19 @@ namespace {
 constexpr std::size_t kNamedSamples = 8;
 // The picture is refined in passes, so that one that is stopped early is noisy rather than torn.
 constexpr std::uint64_t kSamplesPerPass = 16;
+
+// The edge of the tiles: of whole groups, where there are groups.
+int tile_edge(const RenderOptions& options) {
+  if (!shares_paths(options)) return options.tile_size;
+  const int group = groups_of(options, 0).tile_edge();
+  return (options.tile_size + group - 1) / group * group;
+}
+
+// Tiles along an edge of the picture. Shifted ones may need one more.
+int tile_count(const RenderOptions& options, int pixels) {
+  const int largest_shift = shares_paths(options) ? groups_of(options, 0).tile_edge() - 1 : 0;
+  return (pixels + largest_shift + tile_edge(options) - 1) / tile_edge(options);
+}
 
 double thread_cpu_seconds() {
   timespec t{};
@@ -55,16 +71,19 @@ class Job {
         stop_(stop),
         progress_(progress),
         result_(result),
-        tiles_x_((options.width + options.tile_size - 1) / options.tile_size),
-        tiles_y_((options.height + options.tile_size - 1) / options.tile_size),
-        passes_((options.spp + kSamplesPerPass - 1) / kSamplesPerPass),
+        shared_(shares_paths(options)),
+        tile_edge_(tile_edge(options)),
+        tiles_x_(tile_count(options, options.width)),
+        tiles_y_(tile_count(options, options.height)),
+        samples_per_pass_(shared_ ? 1 : kSamplesPerPass),
+        passes_((options.spp + samples_per_pass_ - 1) / samples_per_pass_),
         passes_done_(static_cast<std::size_t>(tiles_x_) * tiles_y_) {}
 
   // One thread's share.
   void work() {
     flush_denormals();
     const double start = thread_cpu_seconds();
-    Share share(scene_);
+    Share share(scene_, camera_, options_);
     const std::uint64_t tiles = passes_done_.size();
     while (!stop_) {
       const std::uint64_t ticket = next_++;
@@ -72,9 +91,11 @@ class Job {
       const std::uint64_t tile = ticket % tiles, pass = ticket / tiles;
       // The samples of a pixel are added in order: another thread may still be at the last pass. It
       // always ends it, since `stop_` is looked at only before taking a ticket.
-      for (std::uint64_t n = passes_done_[tile]; n != pass; n = passes_done_[tile])
-        passes_done_[tile].wait(n);
-      render_tile(static_cast<int>(tile), pass, share);
+      wait_for_pass(static_cast<int>(tile), pass);
+      if (shared_)
+        render_shared_tile(static_cast<int>(tile), pass, share);
+      else
+        render_tile(static_cast<int>(tile), pass, share);
       ++passes_done_[tile];
       passes_done_[tile].notify_all();
       report(share);
@@ -90,8 +111,10 @@ class Job {
 
  private:
   struct Share {
-    explicit Share(const Scene& scene) : visibility(scene) {}
+    Share(const Scene& scene, const Camera& camera, const RenderOptions& options)
+        : visibility(scene), groups(scene, camera, options) {}
     Visibility visibility;
+    GroupTracer groups;
     PathLog log;
     std::uint64_t paths = 0;
     std::uint64_t reported = 0;
@@ -99,28 +122,62 @@ class Job {
     std::vector<NonFiniteSample> named;
   };
 
+  // Waits until the passes before this one are done wherever the tile adds samples. Shifted tiles
+  // overlap with their neighbours in the pass before.
+  void wait_for_pass(int tile, std::uint64_t pass) {
+    const int reach = shared_ ? 1 : 0;
+    const int column = tile % tiles_x_, row = tile / tiles_x_;
+    for (int y = std::max(row - reach, 0); y <= std::min(row + reach, tiles_y_ - 1); ++y)
+      for (int x = std::max(column - reach, 0); x <= std::min(column + reach, tiles_x_ - 1); ++x) {
+        std::atomic<std::uint64_t>& done = passes_done_[y * tiles_x_ + x];
+        for (std::uint64_t n = done; n < pass; n = done) done.wait(n);
+      }
+  }
+
+  std::uint64_t group_size() const {
+    return options_.replicates > 1 ? options_.spp / options_.replicates : 1;
+  }
+
   void render_tile(int tile, std::uint64_t pass, Share& share) {
-    const int x0 = tile % tiles_x_ * options_.tile_size;
-    const int y0 = tile / tiles_x_ * options_.tile_size;
-    const int x1 = std::min(x0 + options_.tile_size, options_.width);
-    const int y1 = std::min(y0 + options_.tile_size, options_.height);
-    const std::uint64_t first = pass * kSamplesPerPass;
-    const std::uint64_t last = std::min(first + kSamplesPerPass, options_.spp);
-    const std::uint64_t group_size =
-        options_.replicates > 1 ? options_.spp / options_.replicates : 1;
+    const int x0 = tile % tiles_x_ * tile_edge_;
+    const int y0 = tile / tiles_x_ * tile_edge_;
+    const int x1 = std::min(x0 + tile_edge_, options_.width);
+    const int y1 = std::min(y0 + tile_edge_, options_.height);
+    const std::uint64_t first = pass * samples_per_pass_;
+    const std::uint64_t last = std::min(first + samples_per_pass_, options_.spp);
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         Film::Pixel pixel = result_.film.at(x, y);
-        for (std::uint64_t sample = first; sample < last; ++sample)
-          pixel.add(finite_sample(x, y, sample, share), group_size);
+        for (std::uint64_t sample = first; sample < last; ++sample) {
+          const Rgb radiance = trace_sample(scene_, camera_, options_, x, y, sample,
+                                            share.visibility, share.log);
+          pixel.add(finite(radiance, x, y, sample, share), group_size());
+        }
         result_.film.at(x, y) = pixel;
       }
   }
 
-  Rgb finite_sample(int x, int y, std::uint64_t sample, Share& share) {
+  // Whole groups, one sample of each pixel. Tile (0,0) begins where the grid of groups does.
+  void render_shared_tile(int tile, std::uint64_t sample, Share& share) {
+    constexpr int kGroups = square(PixelGroups::kStride);
+    const PixelGroups groups = groups_of(options_, sample);
+    const int n = tile_edge_ / groups.tile_edge();
+    const int column = tile % tiles_x_ * n, row = tile / tiles_x_ * n;
+    for (int i = 0; i < n * n * kGroups; ++i) {
+      const int cell = i / kGroups;
+      share.groups.trace(groups, {column + cell % n, row + cell / n, i % kGroups}, sample, {-1, -1},
+                         share.visibility, share.log);
+      const auto pixels = share.groups.pixels();
+      for (std::size_t k = 0; k < pixels.size(); ++k) {
+        const auto [x, y] = pixels[k];
+        result_.film.at(x, y).add(finite(share.groups.radiance(k), x, y, sample, share),
+                                  group_size());
+      }
+    }
+  }
+
+  Rgb finite(const Rgb& radiance, int x, int y, std::uint64_t sample, Share& share) {
     ++share.paths;
-    const Rgb radiance =
-        trace_sample(scene_, camera_, options_, x, y, sample, share.visibility, share.log);
     if (is_finite(radiance)) return radiance;
     ++share.non_finite;
     share.named.push_back({x, y, sample});
@@ -143,8 +200,9 @@ class Job {
   const std::atomic<bool>& stop_;
   const ProgressCallback& progress_;
   RenderResult& result_;
-  const int tiles_x_, tiles_y_;
-  const std::uint64_t passes_;
+  const bool shared_;
+  const int tile_edge_, tiles_x_, tiles_y_;
+  const std::uint64_t samples_per_pass_, passes_;
   std::vector<std::atomic<std::uint64_t>> passes_done_;  // of each tile
   std::atomic<std::uint64_t> next_{0};
   std::atomic<std::uint64_t> done_{0};
@@ -168,26 +226,6 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
       result.paths == options.spp * static_cast<std::uint64_t>(options.width) * options.height;
   keep_first(result.first_non_finite);
   return result;
-}
-
-// One body for the picture and for --replay: copies made for the one or the other could round
-// differently.
-#if defined(__GNUC__) && !defined(__clang__)
-[[gnu::noipa]]
-#endif
-Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
-                 int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
-  std::uint64_t replicate = 0;
-  if (options.replicates > 1) {
-    const std::uint64_t group_size = options.spp / options.replicates;
-    replicate = sample / group_size;
-    sample %= group_size;
-  }
-  PathSampler sampler(options.sampler, options.seed, static_cast<std::uint32_t>(x),
-                      static_cast<std::uint32_t>(y), sample, replicate);
-  const Vec2 jitter = sampler.pair(0);
-  const Ray ray = camera.ray(static_cast<float>(x) + jitter.x, static_cast<float>(y) + jitter.y);
-  return shade(scene, options.shade, ray, sampler, visibility, log);
 }
 
 }  // namespace raytracing

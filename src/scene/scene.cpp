@@ -63,7 +63,8 @@ Vertex Scene::vertex(const Ray& ray, const Hit& hit) const {
     v.light = kNone;
   }
   // An interpolated normal may turn away from the viewer near a silhouette; the true one does not.
-  if (!(dot(wo, ns) > 0)) ns = v.ng;
+  v.normal_replaced = !(dot(wo, ns) > 0);
+  if (v.normal_replaced) ns = v.ng;
   v.shading = Frame::around(ns);
   v.wo = v.shading.to_local(wo);
   return v;

@@ -15,6 +15,10 @@ namespace raytracing::embree {
 inline void intersect1(RTCScene scene, RTCRayHit& ray) { rtcIntersect1(scene, &ray, nullptr); }
 inline void occluded1(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray, nullptr); }
 
+inline void occluded8(const int* valid, RTCScene scene, RTCRay8& rays) {
+  rtcOccluded8(valid, scene, &rays, nullptr);
+}
+
 #else
 
 inline void intersect1(RTCScene scene, RTCRayHit& ray) {
@@ -27,6 +31,12 @@ inline void occluded1(RTCScene scene, RTCRay& ray) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene, &context, &ray);
+}
+
+inline void occluded8(const int* valid, RTCScene scene, RTCRay8& rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded8(valid, scene, &context, &rays);
 }
 
 #endif

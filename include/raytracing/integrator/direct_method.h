@@ -11,6 +11,14 @@
 
 namespace raytracing {
 
+/// One direction of an estimate of direct light, without what depends on the viewer: the vertex
+/// reflects `light` times f cos, times the weight against BSDF sampling where that is wanted.
+struct LightSample {
+  Vec3 wi;      ///< world, unit
+  Rgb light;    ///< Le times visibility over density
+  float pdf_w;  ///< density per steradian, that of choosing the light included; 0 = not known
+};
+
 /// One question to a direct-light method: how much radiance does `light` send to the viewer of
 /// `vertex`, directly?
 struct DirectQuery {
@@ -21,6 +29,8 @@ struct DirectQuery {
   const PathSampler& sampler;  ///< further numbers: sampler.extra(pair, i)
   std::uint32_t pair;          ///< the number of the pair `u`
   int line_rays;               ///< rays per chord of the methods that count rays, >= 1
+  /// Where given and the material is not diffuse, receives the directions that the estimate sums.
+  std::vector<LightSample>* directions = nullptr;
 };
 
 /// A way to estimate direct light. The seam is the estimate, not a sample with a density: a method

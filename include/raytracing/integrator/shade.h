@@ -18,7 +18,7 @@ struct ShadeOptions {
 /// The radiance that arrives along `ray`, estimated by one path. Pair 0 of the sampler is the
 /// caller's, for the position within the pixel. `log` receives each vertex: always, since a second
 /// body without it could round differently, and a replay would not be the sample of the picture.
-Rgb shade(const Scene& scene, const ShadeOptions& options, Ray ray, PathSampler& sampler,
+Rgb shade(const Scene& scene, const ShadeOptions& options, const Ray& ray, PathSampler& sampler,
           Visibility& visibility, PathLog& log);
 
 }  // namespace raytracing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 #include "raytracing/scene/scene.h"
@@ -37,6 +38,14 @@ class Visibility {
     // Of a far vertex, the ray's end is known only as well as the vertex's own coordinates.
     const Vec3 end = offset_point(q, light.normal, std::max(light.error, v.error));
     return scene_.geometry().occluded(v.ray_origin(), end);
+  }
+
+  /// Of the 8 ray origins (x[k], y[k], z[k]), those wanted (bits) that do not see the ray origin
+  /// `from`.
+  unsigned occluded8(const Vec3& from, const float* x, const float* y, const float* z,
+                     unsigned wanted) {
+    counts_.shadow += static_cast<unsigned>(std::popcount(wanted));
+    return scene_.geometry().occluded8(from, x, y, z, wanted);
   }
 
   /// The parts of the chord, within `range`, that the vertex sees; parameters of the chord.

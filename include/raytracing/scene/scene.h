@@ -23,6 +23,7 @@ struct Vertex {
   Vec3 wo;           ///< unit, in the shading frame; wo.z > 0
   const Material* material;
   std::uint32_t light;  ///< index of the light this point belongs to and is seen emitting, or kNone
+  bool normal_replaced;  ///< ng is the shading normal, the interpolated one turns from the viewer
 
   /// The origin of a ray that leaves to the viewer's side.
   Vec3 ray_origin() const { return offset_point(position, ng, error); }

@@ -1,0 +1,45 @@
+#include "raytracing/render/pixel_groups.h"
+
+#include "raytracing/sampling/hash.h"
+
+namespace raytracing {
+
+PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed,
+                         std::uint64_t sample, std::uint64_t replicate)
+    : width_(width), height_(height), edge_(edge) {
+  std::uint64_t key = mix_bits(seed + 0x632be59bd9b4e019u);
+  key = mix_bits(key ^ sample);
+  key_ = mix_bits(key + replicate * 0xd1342543de82ef95u);
+  const auto tile = static_cast<std::uint64_t>(tile_edge());
+  shift_x_ = static_cast<int>((key_ & 0xffffffffu) % tile);
+  shift_y_ = static_cast<int>((key_ >> 32) % tile);
+}
+
+PixelGroups::Pixel PixelGroups::turn(int cell_x, int cell_y) const {
+  const std::uint64_t cell = std::uint64_t{static_cast<std::uint32_t>(cell_y)} << 32 |
+                             static_cast<std::uint32_t>(cell_x);
+  const std::uint64_t bits = mix_bits(key_ ^ mix_bits(cell));
+  return {static_cast<int>((bits & 0xffffffffu) % kStride),
+          static_cast<int>((bits >> 32) % kStride)};
+}
+
+void PixelGroups::pixels(int column, int row, int index, std::vector<Pixel>& group) const {
+  group.clear();
+  for (int cy = row * edge_; cy < (row + 1) * edge_; ++cy)
+    for (int cx = column * edge_; cx < (column + 1) * edge_; ++cx) {
+      const Pixel by = turn(cx, cy);
+      const int x = cx * kStride + (index % kStride + by.x) % kStride - shift_x_;
+      const int y = cy * kStride + (index / kStride + by.y) % kStride - shift_y_;
+      if (x >= 0 && x < width_ && y >= 0 && y < height_) group.push_back({x, y});
+    }
+}
+
+PixelGroups::Place PixelGroups::place_of(const Pixel& pixel) const {
+  const int x = pixel.x + shift_x_, y = pixel.y + shift_y_;
+  const Pixel by = turn(x / kStride, y / kStride);
+  const int ix = (x % kStride - by.x + kStride) % kStride;
+  const int iy = (y % kStride - by.y + kStride) % kStride;
+  return {x / tile_edge(), y / tile_edge(), iy * kStride + ix};
+}
+
+}  // namespace raytracing

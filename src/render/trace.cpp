@@ -1,0 +1,79 @@
+#include "trace.h"
+
+#include <algorithm>
+
+namespace raytracing {
+namespace {
+
+// A sample's number within its replicate.
+struct Numbered {
+  std::uint64_t sample;
+  std::uint64_t replicate = 0;
+
+  Numbered(const RenderOptions& options, std::uint64_t index) : sample(index) {
+    if (options.replicates <= 1) return;
+    const std::uint64_t group_size = options.spp / options.replicates;
+    replicate = index / group_size;
+    sample = index % group_size;
+  }
+};
+
+// The numbers of a sample, and its camera ray.
+struct Start {
+  PathSampler sampler;
+  Ray ray;
+
+  Start(const Camera& camera, const RenderOptions& options, int x, int y, const Numbered& n)
+      : sampler(options.sampler, options.seed, static_cast<std::uint32_t>(x),
+                static_cast<std::uint32_t>(y), n.sample, n.replicate) {
+    const Vec2 jitter = sampler.pair(0);
+    ray = camera.ray(static_cast<float>(x) + jitter.x, static_cast<float>(y) + jitter.y);
+  }
+};
+
+}  // namespace
+
+PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample) {
+  const Numbered n(options, sample);
+  return PixelGroups(options.width, options.height, options.reuse, options.seed, n.sample,
+                     n.replicate);
+}
+
+// One body for the picture and for --replay: copies made for the one or the other could round
+// differently.
+#if defined(__GNUC__) && !defined(__clang__)
+[[gnu::noipa]]
+#endif
+void GroupTracer::trace(const PixelGroups& groups, const PixelGroups::Place& place,
+                        std::uint64_t sample, const PixelGroups::Pixel& logged,
+                        Visibility& visibility, PathLog& log) {
+  groups.pixels(place.column, place.row, place.index, pixels_);
+  paths_.clear();
+  for (const PixelGroups::Pixel& pixel : pixels_) {
+    const Start start(camera_, options_, pixel.x, pixel.y, Numbered(options_, sample));
+    paths_.push_back({start.ray, start.sampler});
+  }
+  if (paths_.empty()) return;
+  const auto found = std::find(pixels_.begin(), pixels_.end(), logged);
+  group_.shade(paths_, visibility, log,
+               found == pixels_.end() ? 0 : static_cast<std::size_t>(found - pixels_.begin()));
+}
+
+#if defined(__GNUC__) && !defined(__clang__)
+[[gnu::noipa]]
+#endif
+Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
+                 int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
+  if (shares_paths(options)) {
+    const PixelGroups groups = groups_of(options, sample);
+    GroupTracer tracer(scene, camera, options);
+    tracer.trace(groups, groups.place_of({x, y}), sample, {x, y}, visibility, log);
+    const auto pixels = tracer.pixels();
+    const auto own = std::find(pixels.begin(), pixels.end(), PixelGroups::Pixel{x, y});
+    return tracer.radiance(static_cast<std::size_t>(own - pixels.begin()));
+  }
+  Start start(camera, options, x, y, Numbered(options, sample));
+  return shade(scene, options.shade, start.ray, start.sampler, visibility, log);
+}
+
+}  // namespace raytracing

@@ -1,0 +1,41 @@
+#pragma once
+// How one sample, or one group of samples that share paths, is traced.
+
+#include <span>
+
+#include "raytracing/integrator/reuse.h"
+#include "raytracing/render/pixel_groups.h"
+#include "raytracing/render/render.h"
+
+namespace raytracing {
+
+/// Whether samples share paths: not where there is nothing to share.
+inline bool shares_paths(const RenderOptions& options) {
+  return options.reuse > 1 && options.shade.max_depth != 1u;
+}
+
+/// The groups of sample number `sample`.
+PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample);
+
+/// Traces groups of samples; one per thread.
+class GroupTracer {
+ public:
+  GroupTracer(const Scene& scene, const Camera& camera, const RenderOptions& options)
+      : camera_(camera), options_(options), group_(scene, options.shade) {}
+
+  /// The pixels of the group; pixels()[k] has the radiance radiance(k). The log is that of the
+  /// pixel `logged` where it belongs to the group.
+  void trace(const PixelGroups& groups, const PixelGroups::Place& place, std::uint64_t sample,
+             const PixelGroups::Pixel& logged, Visibility& visibility, PathLog& log);
+  std::span<const PixelGroups::Pixel> pixels() const { return pixels_; }
+  const Rgb& radiance(std::size_t k) const { return paths_[k].radiance; }
+
+ private:
+  const Camera& camera_;
+  const RenderOptions& options_;
+  PathGroup group_;
+  std::vector<PixelGroups::Pixel> pixels_;
+  std::vector<SharedPath> paths_;
+};
+
+}  // namespace raytracing
