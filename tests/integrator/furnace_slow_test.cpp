@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "raytracing/integrator/reuse.h"
 #include "raytracing/integrator/shade.h"
 #include "support/p_values.h"
 #include "support/scenes.h"
@@ -152,6 +153,41 @@ TEST(Furnace, BoxHasTheSumOfTheSeriesBySolidAngle) {
       add_channels(p_values, name_of(*method, kind),
                    measure(scene, {method, max_depth}, kind, 100'000, 64), wall.reflectance,
                    max_depth, kRounding);
+  p_values.expect_all();
+}
+
+// Paths that share their second vertices: the rays of a group leave from points far apart, so that
+// many second vertices lie in each other's view at all angles.
+TEST(Furnace, IcosphereHasTheSumOfTheSeriesWithSharedPaths) {
+  const Diffuse wall{Rgb(0.8f, 0.5f, 0.2f)};
+  const Scene scene = furnace(icosphere, wall);
+  PValues p_values;
+  for (const DirectMethod& method : direct_methods()) {
+    if (!must_hold(method)) continue;
+    for (const std::optional<std::uint32_t> max_depth :
+         std::initializer_list<std::optional<std::uint32_t>>{2, 3, 5, std::nullopt}) {
+      const ShadeOptions options{&method, max_depth};
+      PathGroup group(scene, options);
+      Visibility visibility(scene);
+      PathLog log;
+      TestRandom random(6);
+      std::array<RunningStats, 3> stats;
+      for (std::uint32_t i = 0; i < 3'000; ++i) {
+        std::vector<SharedPath> paths;
+        for (std::uint32_t k = 0; k < 12; ++k)
+          paths.push_back({{Vec3(0.1f, 0.2f, -0.1f), random.direction()},
+                           PathSampler(SamplerKind::independent, 3, i, k, 0)});
+        group.shade(paths, visibility, log, 0);
+        DVec3 mean(0.0);
+        for (const SharedPath& path : paths) mean += DVec3(path.radiance) / 12.0;
+        for (int c = 0; c < 3; ++c) stats[c].add(mean[c]);
+      }
+      add_channels(p_values,
+                   std::string(method.name) + ", shared, depth " +
+                       (max_depth ? std::to_string(*max_depth) : "unlimited"),
+                   stats, wall.reflectance, max_depth, kTail);
+    }
+  }
   p_values.expect_all();
 }
 

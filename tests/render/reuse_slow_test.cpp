@@ -1,0 +1,104 @@
+// Sharing paths changes the noise and not the picture: means of regions with and without it. The
+// errors of neighbouring pixels are alike, so the spread is that between pictures of other seeds.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "raytracing/io/scene_file.h"
+#include "raytracing/render/render.h"
+#include "support/p_values.h"
+#include "support/scenes.h"
+
+namespace raytracing {
+namespace {
+
+constexpr int kPictures = 100;
+constexpr int kRegions = 3;  // along each edge
+
+RenderOptions options_of(const std::string& method, int reuse,
+                         std::optional<std::uint32_t> max_depth) {
+  RenderOptions options;
+  options.width = 26;  // no multiple of any group
+  options.height = 22;
+  options.spp = 4;
+  options.reuse = reuse;
+  options.shade.method = find_direct_method(method);
+  options.shade.max_depth = max_depth;
+  options.threads = 2;
+  return options;
+}
+
+/// By region and channel, the means of pictures of different seeds.
+std::vector<RunningStats> measure(const Scene& scene, RenderOptions options,
+                                  std::uint64_t first_seed) {
+  std::vector<RunningStats> stats(3 * kRegions * kRegions);
+  for (int i = 0; i < kPictures; ++i) {
+    options.seed = first_seed + i;
+    const std::atomic<bool> stop = false;
+    const RenderResult result = render(scene, options, stop, {});
+    EXPECT_EQ(result.non_finite_samples, 0u);
+    std::vector<DVec3> sums(kRegions * kRegions, DVec3(0.0));
+    for (int y = 0; y < options.height; ++y)
+      for (int x = 0; x < options.width; ++x)
+        sums[y * kRegions / options.height * kRegions + x * kRegions / options.width] +=
+            result.film.at(x, y).mean();
+    for (std::size_t region = 0; region < sums.size(); ++region)
+      for (int c = 0; c < 3; ++c) stats[3 * region + c].add(sums[region][c]);
+  }
+  return stats;
+}
+
+void compare(const std::string& name, const Scene& scene, const std::string& method,
+             std::initializer_list<int> edges, std::optional<std::uint32_t> max_depth,
+             PValues& p_values) {
+  const auto off = measure(scene, options_of(method, 1, max_depth), 0);
+  for (const int reuse : edges) {
+    const auto on = measure(scene, options_of(method, reuse, max_depth), 1000 * reuse);
+    for (std::size_t i = 0; i < on.size(); ++i)
+      p_values.add(name + ", " + method + ", reuse " + std::to_string(reuse) + ", region " +
+                       std::to_string(i / 3) + ", channel " + std::to_string(i % 3),
+                   same_mean_p_value(off[i], on[i]));
+  }
+}
+
+TEST(ReuseMeans, AreThoseWithoutOnEveryScene) {
+  PValues p_values;
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(RAYTRACING_SOURCE_DIR "/scenes"))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  ASSERT_GE(paths.size(), 7u);
+  for (const std::filesystem::path& path : paths) {
+    LoadReport report;
+    const Scene scene(load_scene_file(path.string(), direct_method_names(), report).scene, 2);
+    compare(path.stem().string(), scene, "solid-angle", {4}, std::nullopt, p_values);
+  }
+  p_values.expect_all();
+}
+
+// Both materials at both ends, a sphere and flat faces, lights that metal finds by its own bounces.
+TEST(ReuseMeans, AreThoseWithoutForAllMethodsAndDepths) {
+  SceneMaker maker;
+  const auto wall = maker.add_surface(Diffuse{Rgb(0.7f, 0.5f, 0.3f)});
+  const auto light = maker.add_surface(Diffuse{Rgb(0.4f)}, Rgb(5.0f, 4.0f, 3.0f));
+  const auto metal = maker.add_surface(GgxConductor{Rgb(0.9f, 0.6f, 0.2f), 0.2f, Fresnel::schlick});
+  const auto mirror = maker.add_surface(GgxConductor{Rgb(0.9f), 0.05f});
+  maker.description.meshes.push_back(inward_box(1, wall));
+  maker.add_polygon(parallelogram({0.2f, 0.95f, 0}, {0.6f, 0, 0}, {0, 0, 0.5f}), light);
+  maker.add_polygon(parallelogram({0, -0.9f, 0}, {0, 0, 0.8f}, {0.8f, 0, 0}), metal);
+  maker.add_sphere({0.3f, -0.5f, -0.2f}, 0.35f, metal);
+  maker.add_sphere({-0.4f, -0.3f, -0.5f}, 0.3f, mirror);
+  maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.2f, 0.0f}, {0.0f, 1.0f, 0.0f}, 80};
+  const Scene scene = maker.build();
+  PValues p_values;
+  for (const DirectMethod& method : direct_methods())
+    compare("room", scene, std::string(method.name), {2, 4}, std::nullopt, p_values);
+  compare("room, depth 2", scene, "solid-angle", {8}, 2, p_values);
+  compare("room, depth 3", scene, "point", {8}, 3, p_values);
+  p_values.expect_all();
+}
+
+}  // namespace
+}  // namespace raytracing

@@ -1,0 +1,142 @@
+// A picture whose pixels share paths is a function of scene, options and seed too.
+
+#include <gtest/gtest.h>
+
+#include "raytracing/render/render.h"
+#include "support/scenes.h"
+
+namespace raytracing {
+namespace {
+
+/// A room with a metal ball on a sphere, and metal walls at two sides.
+Scene room() {
+  SceneMaker maker;
+  const auto wall = maker.add_surface(Diffuse{Rgb(0.7f, 0.5f, 0.3f)});
+  const auto light = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(5.0f, 4.0f, 3.0f));
+  const auto metal = maker.add_surface(GgxConductor{Rgb(0.9f), 0.16f});
+  maker.description.meshes.push_back(inward_box(1, wall));
+  maker.add_polygon(parallelogram({0, 0.95f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}), light);
+  maker.add_sphere({0.2f, -0.6f, -0.2f}, 0.4f, metal);
+  maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 70};
+  return maker.build();
+}
+
+RenderOptions options_of(int reuse) {
+  RenderOptions options;
+  options.width = 13;
+  options.height = 9;
+  options.spp = 6;
+  options.reuse = reuse;
+  options.shade.method = find_direct_method("solid-angle");
+  options.seed = 7;
+  return options;
+}
+
+RenderResult render_all(const Scene& scene, const RenderOptions& options) {
+  const std::atomic<bool> stop = false;
+  return render(scene, options, stop, {});
+}
+
+bool same_pixel(const Film::Pixel& a, const Film::Pixel& b) {
+  return a.sum == b.sum && a.sum_of_squares == b.sum_of_squares && a.samples == b.samples &&
+         a.groups == b.groups;
+}
+
+int differing_pixels(const Film& a, const Film& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) count += same_pixel(a.at(x, y), b.at(x, y)) ? 0 : 1;
+  return count;
+}
+
+TEST(Reuse, PictureDependsNeitherOnThreadsNorOnTiles) {
+  const Scene scene = room();
+  for (const DirectMethod& method : direct_methods())
+    for (const int reuse : {2, 4, 8})
+      for (const std::uint64_t replicates : {1, 3}) {
+        RenderOptions options = options_of(reuse);
+        options.width = 37;
+        options.height = 23;
+        options.shade.method = &method;
+        options.replicates = replicates;
+        const RenderResult first = render_all(scene, options);
+        EXPECT_TRUE(first.complete);
+        EXPECT_EQ(first.non_finite_samples, 0u);
+        for (const auto& [threads, tile_size] : {std::pair{2, 16}, {5, 3}, {5, 33}}) {
+          options.threads = threads;
+          options.tile_size = tile_size;
+          const RenderResult other = render_all(scene, options);
+          EXPECT_EQ(differing_pixels(first.film, other.film), 0)
+              << method.name << ", reuse " << reuse << ", " << threads << " threads";
+          EXPECT_EQ(other.paths, 37u * 23u * 6u);
+          EXPECT_EQ(other.rays.shadow, first.rays.shadow);
+        }
+      }
+}
+
+// A replay traces the whole group again; its log tells where the radiance comes from.
+TEST(Reuse, TraceSampleIsWhatRenderAdds) {
+  const Scene scene = room();
+  for (const int reuse : {2, 8}) {
+    const RenderOptions options = options_of(reuse);
+    const RenderResult result = render_all(scene, options);
+    const Camera camera(scene.camera(), options.width, options.height);
+    Visibility visibility(scene);
+    PathLog log;
+    for (int y = 0; y < options.height; ++y)
+      for (int x = 0; x < options.width; ++x) {
+        Film::Pixel pixel;
+        for (std::uint64_t i = 0; i < options.spp; ++i) {
+          const Rgb radiance = trace_sample(scene, camera, options, x, y, i, visibility, log);
+          pixel.add(radiance);
+          Rgb logged(0.0f);
+          for (const PathLog::Step& step : log.steps) logged += step.emitted + step.direct;
+          for (int c = 0; c < 3; ++c) EXPECT_NEAR(logged[c], radiance[c], 1e-5f * radiance[c]);
+        }
+        EXPECT_TRUE(same_pixel(pixel, result.film.at(x, y))) << x << ", " << y;
+      }
+  }
+}
+
+TEST(Reuse, HasNothingToDoForDirectLight) {
+  const Scene scene = room();
+  RenderOptions off = options_of(1), on = options_of(4);
+  off.shade.max_depth = on.shade.max_depth = 1;
+  EXPECT_EQ(differing_pixels(render_all(scene, off).film, render_all(scene, on).film), 0);
+  off.shade.max_depth = on.shade.max_depth = 2;
+  EXPECT_GT(differing_pixels(render_all(scene, off).film, render_all(scene, on).film), 100);
+}
+
+TEST(Reuse, ARenderStoppedEarlyHoldsWholeSamples) {
+  const Scene scene = room();
+  RenderOptions options = options_of(4);
+  options.width = options.height = 40;
+  options.spp = 30;
+  options.tile_size = 8;
+  options.threads = 3;
+  std::atomic<bool> stop = false;
+  const RenderResult part =
+      render(scene, options, stop, [&](std::uint64_t done, std::uint64_t total) {
+        EXPECT_EQ(total, 40u * 40u * 30u);
+        if (done > total / 2) stop = true;
+      });
+  EXPECT_FALSE(part.complete);
+  const Camera camera(scene.camera(), 40, 40);
+  Visibility visibility(scene);
+  PathLog log;
+  std::uint64_t paths = 0;
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const Film::Pixel& pixel = part.film.at(x, y);
+      paths += pixel.samples;
+      if ((x + y) % 7 != 0) continue;
+      Film::Pixel same;
+      for (std::uint64_t i = 0; i < pixel.samples; ++i)
+        same.add(trace_sample(scene, camera, options, x, y, i, visibility, log));
+      EXPECT_TRUE(same_pixel(same, pixel));
+    }
+  EXPECT_EQ(paths, part.paths);
+}
+
+}  // namespace
+}  // namespace raytracing
