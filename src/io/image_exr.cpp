@@ -68,7 +68,9 @@ Imf::Header make_header(const ImageData& image) {
     if (header.find(name) != header.end()) {
       throw OutputError("an image's attribute '" + name + "' is taken");
     }
-    std::visit([&](const auto& v) { insert_attribute(header, name.c_str(), v); }, value);
+    // Named anew: before C++20 was amended, a lambda could not capture a structured binding.
+    const char* const attribute = name.c_str();
+    std::visit([&](const auto& v) { insert_attribute(header, attribute, v); }, value);
   }
   return header;
 }

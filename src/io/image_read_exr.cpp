@@ -18,6 +18,7 @@
 #include <new>
 #include <string_view>
 
+#include "exr_header_check.h"
 #include "image_decoders.h"
 #include "raytracing/io/errors.h"
 
@@ -33,28 +34,11 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
   return word;
 }
 
-// OpenEXR makes room for an attribute's text before it finds out that the file is shorter.
-void check_attribute_sizes(const std::string& bytes) {
-  std::size_t at = kMagicAndVersion;
-  while (at < bytes.size() && bytes[at] != '\0') {
-    for (int text = 0; text < 2; ++text) {  // the attribute's name and type
-      at = bytes.find('\0', at);
-      if (at == std::string::npos) throw InputError("its header is cut off");
-      ++at;
-    }
-    if (bytes.size() - at < 4) throw InputError("its header is cut off");
-    const std::size_t size = word_at(bytes, at);
-    at += 4;
-    if (size > bytes.size() - at) throw InputError("its header is cut off");
-    at += size;
-  }
-}
-
 Imf::Header read_header(const std::string& bytes, Imf::IStream& stream) {
   if (bytes.size() <= kMagicAndVersion) throw InputError("its header is cut off");
   auto version = static_cast<int>(word_at(bytes, 4));
   if (version & Imf::NON_IMAGE_FLAG) throw InputError("deep pictures cannot be read");
-  check_attribute_sizes(bytes);
+  check_exr_header_sizes(bytes);
   stream.seekg(kMagicAndVersion);
   Imf::Header header;
   header.readFrom(stream, version);
@@ -78,7 +62,7 @@ std::vector<std::string> channel_names(const Imf::Header& header) {
   return names;
 }
 
-void check_sizes(const Imf::Header& header, std::size_t channels) {
+void check_sizes(const Imf::Header& header, std::size_t channels, std::size_t file_bytes) {
   const auto& window = header.dataWindow();
   const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
   const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -87,6 +71,10 @@ void check_sizes(const Imf::Header& header, std::size_t channels) {
   const auto& tile = header.tileDescription();
   check_image_size(width, tile.ySize, channels);  // OpenEXR keeps one row of tiles
   check_image_size(tile.xSize, tile.ySize, channels);
+  // OpenEXR makes room for the places of all tiles before it reads them.
+  const std::int64_t across = (width - 1) / tile.xSize + 1, down = (height - 1) / tile.ySize + 1;
+  if (static_cast<std::uint64_t>(across * down) > file_bytes / sizeof(std::uint64_t))
+    throw InputError("is too short for its tiles");
 }
 
 ImageMetadata metadata(const Imf::Header& header) {
@@ -107,10 +95,11 @@ ImageMetadata metadata(const Imf::Header& header) {
 
 // By strips, so that a short file that claims to be large takes no more memory than it fills.
 void read_values(Imf::InputFile& file, ImageData& image) {
-  constexpr int kStrip = 64;
+  constexpr std::size_t kStripValues = std::size_t{1} << 18;
   const auto& window = file.header().dataWindow();
   const std::size_t pixel_values = image.channels.size();
   const std::size_t row_values = pixel_values * static_cast<std::size_t>(image.width);
+  const int strip = std::max(1, static_cast<int>(kStripValues / row_values));
   image.values.reserve(row_values * static_cast<std::size_t>(image.height));  // stays in its place
   Imf::FrameBuffer buffer;
   for (std::size_t c = 0; c < pixel_values; ++c)
@@ -118,8 +107,8 @@ void read_values(Imf::InputFile& file, ImageData& image) {
                   Imf::Slice::Make(Imf::FLOAT, image.values.data() + c, window,
                                    pixel_values * sizeof(float), row_values * sizeof(float)));
   file.setFrameBuffer(buffer);
-  for (int y = 0; y < image.height; y += kStrip) {
-    const int end = std::min(y + kStrip, image.height);
+  for (int y = 0; y < image.height; y += strip) {
+    const int end = std::min(y + strip, image.height);
     image.values.resize(row_values * static_cast<std::size_t>(end));
     file.readPixels(window.min.y + y, window.min.y + end - 1);
   }
@@ -134,7 +123,7 @@ ImageData decode_exr(const std::string& bytes) {
     const Imf::Header header = read_header(bytes, stream);
     ImageData image;
     image.channels = channel_names(header);
-    check_sizes(header, image.channels.size());
+    check_sizes(header, image.channels.size(), bytes.size());
     Imf::InputFile file(stream);
     // Where the parts of a file contradict each other, what was checked is not what is read.
     if (file.header().dataWindow() != header.dataWindow())

@@ -114,6 +114,21 @@ void check_header(const PngHeader& header, std::size_t file_bytes) {
     throw InputError(fmt::format("its gamma is {:.5f}, not that of sRGB", 1e-5 * header.gamma));
 }
 
+// libpng makes room for a chunk, and clears it, before it finds out that the file is shorter.
+void check_chunk_sizes(const std::string& bytes) {
+  constexpr std::size_t kSignature = 8, kLengthAndName = 8, kChecksum = 4;
+  std::size_t at = kSignature;
+  while (bytes.size() - at >= kLengthAndName) {
+    const auto* p = reinterpret_cast<const png_byte*>(bytes.data() + at);
+    const std::size_t length = png_get_uint_32(p);
+    if (bytes.compare(at + 4, 4, "IEND") == 0) return;
+    at += kLengthAndName;
+    if (length + kChecksum > bytes.size() - at) break;
+    at += length + kChecksum;
+  }
+  throw InputError("damaged PNG picture: cut off within a chunk");
+}
+
 std::vector<float> linear_values(const PngHeader& header, const std::vector<png_byte>& bytes) {
   const std::size_t most = header.wide ? 65535 : 255;
   std::vector<float> linear(most + 1);
@@ -142,6 +157,7 @@ std::vector<float> linear_values(const PngHeader& header, const std::vector<png_
 }  // namespace
 
 ImageData decode_png(const std::string& bytes) {
+  check_chunk_sizes(bytes);
   PngInput input{bytes};
   PngReader reader(input);
   PngHeader header;

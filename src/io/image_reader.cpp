@@ -34,15 +34,16 @@ void check_image_size(std::int64_t width, std::int64_t height, std::size_t chann
                                height, channels));
 }
 
-ImageData read_image(const std::string& path) {
-  const std::string bytes = read_file(path);
+ImageData decode_image(const std::string& bytes, const std::string& file) {
   try {
     return decode(bytes);
   } catch (const InputError& error) {
     std::string what = error.what();  // a library's text may have several lines
     std::replace(what.begin(), what.end(), '\n', ' ');
-    throw InputError(TextLocation{path}, what);
+    throw InputError(TextLocation{file}, what);
   }
 }
+
+ImageData read_image(const std::string& path) { return decode_image(read_file(path), path); }
 
 }  // namespace raytracing

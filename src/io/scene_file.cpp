@@ -152,11 +152,9 @@ SphereDescription read_sphere(const TomlTable& table, const SurfaceIndices& surf
 
 }  // namespace
 
-SceneFile load_scene_file(const std::string& path,
-                          const std::vector<std::string>& light_sampling_names,
-                          LoadReport& report) {
+SceneFile parse_scene(std::string_view text, const std::string& path,
+                      const std::vector<std::string>& light_sampling_names, LoadReport& report) {
   SceneFile file;
-  const std::string text = read_file(path);
   file.hash = hash_bytes(text);
   const TomlDocument document(text, path);
   const TomlTable root(document, document.root(), "", kRootKeys);
@@ -181,6 +179,12 @@ SceneFile load_scene_file(const std::string& path,
   ModelLoader loader(file, report);
   for (const ModelRequest& request : requests) loader.load(request);
   return file;
+}
+
+SceneFile load_scene_file(const std::string& path,
+                          const std::vector<std::string>& light_sampling_names,
+                          LoadReport& report) {
+  return parse_scene(read_file(path), path, light_sampling_names, report);
 }
 
 }  // namespace raytracing

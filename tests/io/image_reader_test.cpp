@@ -241,7 +241,45 @@ TEST(ReadImage, RefusesHugeClaimsBeforeTakingTheMemory) {
             "65537x2 pixels of 4 channels are more than can be read");
   const std::size_t text = sizeof("sceneHash") + sizeof("string");
   EXPECT_EQ(refusal(folder.write("x", with_number(exr, "sceneHash", text, 0x7fffffff, false))),
-            "its header is cut off");
+            "its header is cut off or contradicts itself");
+}
+
+// An attribute that states a size other than its type's shifts all that follows: OpenEXR would then
+// take 2 GB for a text.
+TEST(ReadImage, RefusesAttributesThatShiftTheNext) {
+  const TempDir folder;
+  const std::string exr = encode_image(small_picture(), ImageFormat::exr);
+  const auto with_size = [&](std::string_view name, std::string_view type, char size) {
+    std::string bytes = exr;
+    bytes[bytes.find(name) + name.size() + type.size() + 2] = size;
+    return refusal(folder.write("x", bytes));
+  };
+  const std::string wrong = "its header is cut off or contradicts itself";
+  EXPECT_EQ(with_size("compression", "compression", 2), wrong);
+  EXPECT_EQ(with_size("dataWindow", "box2i", 15), wrong);
+  EXPECT_EQ(with_size("channels", "chlist", 1), wrong);
+  EXPECT_EQ(with_size("spp", "int", 5), wrong);
+  EXPECT_EQ(with_size("compression", "compression", 1), "read");
+}
+
+// A few bytes that would have taken 16 MB and 700 MB.
+TEST(ReadImage, RefusesChunksAndTilesThatTheFileDoesNotHold) {
+  const TempDir folder;
+  const std::string png = encode_image(small_picture(), ImageFormat::png);
+  std::string text = png.substr(0, 33) + std::string("\x00\xf0\x00\x00tEXt", 8) + png.substr(33);
+  EXPECT_EQ(refusal(folder.write("x", text)), "damaged PNG picture: cut off within a chunk");
+
+  OIIO::ImageSpec spec(32, 32, 3, OIIO::TypeDesc::FLOAT);
+  spec.tile_width = spec.tile_height = 16;
+  const std::string tiled =
+      read_file(write_oiio(folder, "t.exr", spec, std::vector<float>(32 * 32 * 3)));
+  const std::size_t sizes = sizeof("tiles") + sizeof("tiledesc") + 4;
+  std::string small = with_number(tiled, "tiles", sizes, 1, false);
+  small = with_number(small, "tiles", sizes + 4, 1, false);
+  const std::size_t window = sizeof("dataWindow") + sizeof("box2i") + 4;
+  small = with_number(small, "dataWindow", window + 8, 9000, false);
+  small = with_number(small, "dataWindow", window + 12, 9000, false);
+  EXPECT_EQ(refusal(folder.write("x", small)), "is too short for its tiles");
 }
 
 }  // namespace

@@ -15,4 +15,7 @@ namespace raytracing {
 /// At most 65536 pixels a side and 2^28 values. Throws InputError, "file: reason".
 ImageData read_image(const std::string& path);
 
+/// The same for a file's bytes; `file` is used in messages only.
+ImageData decode_image(const std::string& bytes, const std::string& file);
+
 }  // namespace raytracing

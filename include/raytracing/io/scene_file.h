@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "raytracing/io/load_report.h"
@@ -27,5 +28,9 @@ struct SceneFile {
 SceneFile load_scene_file(const std::string& path,
                           const std::vector<std::string>& light_sampling_names,
                           LoadReport& report);
+
+/// The same for a scene file's text; `path` says where it lies.
+SceneFile parse_scene(std::string_view text, const std::string& path,
+                      const std::vector<std::string>& light_sampling_names, LoadReport& report);
 
 }  // namespace raytracing

@@ -1,0 +1,73 @@
+#pragma once
+// What the fuzzers share. A property that does not hold ends the process, which libFuzzer takes as a
+// finding and keeps the input.
+
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "raytracing/io/errors.h"
+#include "raytracing/io/load_report.h"
+
+namespace raytracing::fuzz {
+
+inline void require(bool holds, const char* property, std::string_view text = "") {
+  if (holds) return;
+  std::fprintf(stderr, "property broken: %s: %.*s\n", property, static_cast<int>(text.size()),
+               text.data());
+  std::abort();
+}
+
+inline bool takes_number(std::string_view& text) {
+  std::size_t digits = 0;
+  while (digits < text.size() && std::isdigit(static_cast<unsigned char>(text[digits]))) ++digits;
+  const bool number = digits > 0 && text[0] != '0' && digits < text.size() && text[digits] == ':';
+  if (number) text.remove_prefix(digits + 1);
+  return number;
+}
+
+/// One line, not long.
+inline void check_one_line(std::string_view what) {
+  require(what.size() < 2000, "a message is short", what.substr(0, 200));
+  for (const char c : what)
+    require(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "a message is one line", what);
+}
+
+/// The same, beginning with "file:" and, where asked, going on with "line:column:".
+inline void check_message(std::string_view what, std::string_view file, bool with_place) {
+  check_one_line(what);
+  require(what.starts_with(file) && what.substr(file.size()).starts_with(":"),
+          "a message begins with the file", what);
+  if (!with_place) return;
+  what.remove_prefix(file.size() + 1);
+  require(takes_number(what) && takes_number(what), "a message has line and column", what);
+  require(what.size() > 2, "a message says something", what);
+}
+
+/// Every entry counts something, has a name of one line and lies within the text's lines.
+inline void check_report(const LoadReport& report, std::string_view text) {
+  long lines = 1;
+  for (const char c : text) lines += c == '\n' || c == '\r';
+  for (const LoadReport::Entry& e : report.entries()) {
+    require(e.count > 0 && !e.kind.empty(), "an entry counts something", e.kind);
+    require(e.first.line >= 1 && e.first.line <= lines && e.first.column >= 1,
+            "an entry has a place in the text", e.kind);
+    for (const char c : e.kind)
+      require(static_cast<unsigned char>(c) >= 0x20, "an entry is one line", e.kind);
+  }
+}
+
+/// Entries of this severity and kind, counted.
+inline std::uint64_t count(const LoadReport& report, LoadReport::Severity severity,
+                           std::string_view kind) {
+  std::uint64_t sum = 0;
+  for (const LoadReport::Entry& e : report.entries())
+    if (e.severity == severity && e.kind.starts_with(kind)) sum += e.count;
+  return sum;
+}
+
+}  // namespace raytracing::fuzz
