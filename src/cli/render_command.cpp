@@ -60,8 +60,8 @@ void print_result(const RenderRecord& r, bool quiet) {
                o.threads, r.result.render_seconds,
                1e-6 * static_cast<double>(r.result.paths) / r.result.render_seconds);
   for (const NonFiniteSample& s : r.result.first_non_finite)
-    fmt::print(stderr, "non-finite sample: the same command with --replay {},{},{} shows it\n",
-               s.x, s.y, s.sample);
+    fmt::print(stderr, "non-finite sample ({}): the same command with --replay {},{},{} shows it\n",
+               to_string(s.cause), s.x, s.y, s.sample);
   if (r.result.non_finite_samples > 0)
     fmt::print(stderr, "warning: {} of {} samples were not finite; they count as black\n",
                r.result.non_finite_samples, r.result.paths);

@@ -44,6 +44,15 @@ DVec3 variance_layer(const Film::Pixel& pixel) {
   return pixel.variance_of_mean();
 }
 
+// "geometry 0, bsdf 2, ..." for a header.
+std::string by_cause(const RenderResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < kNonFiniteCauses; ++i)
+    text += fmt::format("{}{} {}", i > 0 ? ", " : "", to_string(static_cast<NonFiniteCause>(i)),
+                        result.non_finite_by_cause[i]);
+  return text;
+}
+
 ImageMetadata metadata(const RenderRecord& r) {
   const DirectMethod& method = *r.options.shade.method;
   const auto& depth = r.options.shade.max_depth;
@@ -64,6 +73,9 @@ ImageMetadata metadata(const RenderRecord& r) {
       {"threads", static_cast<std::int64_t>(r.options.threads)},
       {"renderSeconds", r.result.render_seconds},
       {"nonFiniteSamples", static_cast<std::int64_t>(r.result.non_finite_samples)},
+      {"nonFiniteByCause", by_cause(r.result)},
+      {"escapedRays", whole_number(r.result.rays.escaped)},
+      {"areaFallbacks", whole_number(r.result.rays.area_fallbacks)},
       {"complete", std::string(r.result.complete ? "yes" : "no, stopped early")},
   };
 }
@@ -120,7 +132,12 @@ std::string stats_json(const RenderRecord& r) {
   j["rays_shadow"] = r.result.rays.shadow;
   j["segment_queries"] = r.result.rays.segments;
   j["peak_rss_bytes"] = peak_rss_bytes();
+  j["rays_escaped"] = r.result.rays.escaped;
+  j["area_fallbacks"] = r.result.rays.area_fallbacks;
   j["non_finite_samples"] = r.result.non_finite_samples;
+  for (std::size_t i = 0; i < kNonFiniteCauses; ++i)
+    j["non_finite_by_cause"][to_string(static_cast<NonFiniteCause>(i))] =
+        r.result.non_finite_by_cause[i];
   j["complete"] = r.result.complete;
   j["mean_rgb"] = {mean.x, mean.y, mean.z};
   return j.dump(2) + "\n";

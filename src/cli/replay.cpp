@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "raytracing/io/errors.h"
 
 namespace raytracing {
@@ -39,6 +41,9 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
                        s.light == kNone ? "" : fmt::format(" (light {})", s.light),
                        text(s.direct), s.survival);
   }
+  const bool finite =
+      std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
+  if (!finite) out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
   return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays\n", text(radiance),
                            visibility.counts().closest, visibility.counts().shadow);
 }

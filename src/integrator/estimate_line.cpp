@@ -38,6 +38,7 @@ Rgb one_point(const DirectQuery& query, int direction, Visibility& visibility) {
   const Vertex& v = query.vertex;
   const auto sample = sample_chord(query.light, v.position, direction, query.u.x);
   if (!sample) return Rgb(0.0f);
+  if (query.light.rectangle && sample->solid_angle == 0) visibility.count_area_fallback();
   const SeenChord seen(sample->chord, v.position, query.light.normal);
   const IntervalSet parts = visible_parts(v, query.light, sample->chord, seen, visibility);
   if (parts.empty()) return Rgb(0.0f);

@@ -10,6 +10,7 @@ Rgb estimate_point(const DirectQuery& query, Visibility& visibility) {
 Rgb estimate_solid_angle(const DirectQuery& query, Visibility& visibility) {
   const auto sample = sample_solid_angle(query.light, query.vertex.position, query.u);
   if (!sample) return Rgb(0.0f);
+  if (sample->by_area) visibility.count_area_fallback();
   return light_point(query, visibility, sample->point, sample->pdf_w);
 }
 

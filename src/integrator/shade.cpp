@@ -80,7 +80,10 @@ Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex v, std::uint32_
     const Bounce bounce{v.position, sample->pdf_w, counted};
     const Ray ray{v.ray_origin(), wi};
     const std::optional<Hit> hit = visibility.closest_hit(ray);
-    if (!hit) break;
+    if (!hit) {
+      visibility.count_escaped();
+      break;
+    }
     v = scene.vertex(ray, *hit);
     const Rgb emitted = throughput * emission(scene, *options.method, v, &bounce);
     radiance += emitted;

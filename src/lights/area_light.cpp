@@ -56,7 +56,7 @@ struct FanSolidAngles {
 std::optional<SolidAngleSample> sample_by_area(const AreaLight& light, const Vec3& from,
                                                const Vec2& u) {
   const Vec3 q = sample_area(light, u);
-  return SolidAngleSample{q, area_pdf_w(light, from, q)};
+  return SolidAngleSample{q, area_pdf_w(light, from, q), true};
 }
 
 }  // namespace

@@ -103,7 +103,10 @@ class Job {
     std::scoped_lock lock(mutex_);
     result_.rays += share.visibility.counts();
     result_.paths += share.paths;
-    result_.non_finite_samples += share.non_finite;
+    for (std::size_t i = 0; i < kNonFiniteCauses; ++i) {
+      result_.non_finite_samples += share.non_finite[i];
+      result_.non_finite_by_cause[i] += share.non_finite[i];
+    }
     result_.first_non_finite.insert(result_.first_non_finite.end(), share.named.begin(),
                                     share.named.end());
     result_.cpu_seconds += thread_cpu_seconds() - start;
@@ -118,7 +121,7 @@ class Job {
     PathLog log;
     std::uint64_t paths = 0;
     std::uint64_t reported = 0;
-    std::uint64_t non_finite = 0;
+    std::array<std::uint64_t, kNonFiniteCauses> non_finite{};  // by cause
     std::vector<NonFiniteSample> named;
   };
 
@@ -179,8 +182,9 @@ class Job {
   Rgb finite(const Rgb& radiance, int x, int y, std::uint64_t sample, Share& share) {
     ++share.paths;
     if (is_finite(radiance)) return radiance;
-    ++share.non_finite;
-    share.named.push_back({x, y, sample});
+    const NonFiniteCause cause = non_finite_cause(share.log);
+    ++share.non_finite[static_cast<std::size_t>(cause)];
+    share.named.push_back({x, y, sample, cause});
     keep_first(share.named);
     return Rgb(0.0f);
   }

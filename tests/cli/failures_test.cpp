@@ -61,7 +61,22 @@ TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
   const RunResult run = folder.run(lax);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("--replay "), std::string::npos) << run.err;
-  EXPECT_GT(folder.json("s.json")["non_finite_samples"], 0);
+  const nlohmann::json stats = folder.json("s.json");
+  EXPECT_GT(stats["non_finite_samples"], 0);
+  std::uint64_t causes = 0;
+  for (const auto& [cause, count] : stats["non_finite_by_cause"].items())
+    causes += count.get<std::uint64_t>();
+  EXPECT_EQ(causes, stats["non_finite_samples"]);
+
+  // The named sample, traced again, has the cause that was told.
+  const std::size_t named = run.err.find("non-finite sample (");
+  ASSERT_NE(named, std::string::npos) << run.err;
+  const std::string line = run.err.substr(named, run.err.find('\n', named) - named);
+  const std::string cause = line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1);
+  const std::size_t sample = line.find("--replay ") + 9;
+  const RunResult replay = folder.run(
+      {"s.toml", "--spp", "4", "--replay", line.substr(sample, line.find(' ', sample) - sample)});
+  EXPECT_NE(replay.out.find("not finite: " + cause + "\n"), std::string::npos) << replay.out;
   std::vector<std::string> strict = lax;
   strict.push_back("--strict");
   EXPECT_EQ(folder.run(strict).exit_code, 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "raytracing/scene/scene.h"
@@ -19,5 +20,21 @@ struct PathLog {
   };
   std::vector<Step> steps;
 };
+
+/// What first became infinite or not a number along a path.
+enum class NonFiniteCause {
+  geometry,      ///< a position or a normal
+  bsdf,          ///< the throughput: weights of BSDF sampling and of roulette
+  emission,      ///< the emission of a light that the path met, as weighted
+  direct_light,  ///< a direct-light estimate; its light, BSDF and density cannot be told apart
+  sum,           ///< no single one of these: their sum overflowed
+};
+inline constexpr std::size_t kNonFiniteCauses = 5;
+
+/// The cause for the path of a sample whose radiance is not finite.
+NonFiniteCause non_finite_cause(const PathLog& log);
+
+/// "geometry", "bsdf", "emission", "direct_light" or "sum".
+const char* to_string(NonFiniteCause cause);
 
 }  // namespace raytracing

@@ -13,11 +13,17 @@ struct RayCounts {
   std::uint64_t closest = 0;   ///< closest-hit rays
   std::uint64_t shadow = 0;    ///< occlusion tests
   std::uint64_t segments = 0;  ///< exact visibility queries of a segment
+  std::uint64_t escaped = 0;   ///< closest-hit rays from a surface that met nothing
+  /// Light samples taken uniform in area by a method that is uniform in solid angle, where the solid
+  /// angle is too small or too large for float arithmetic.
+  std::uint64_t area_fallbacks = 0;
 
   RayCounts& operator+=(const RayCounts& other) {
     closest += other.closest;
     shadow += other.shadow;
     segments += other.segments;
+    escaped += other.escaped;
+    area_fallbacks += other.area_fallbacks;
     return *this;
   }
 };
@@ -57,6 +63,9 @@ class Visibility {
                                           chord.length * chord.direction, range,
                                           scene_.index_of(light));
   }
+
+  void count_escaped() { ++counts_.escaped; }
+  void count_area_fallback() { ++counts_.area_fallbacks; }
 
   const RayCounts& counts() const { return counts_; }
 

@@ -46,7 +46,8 @@ float area_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q);
 /// A point of the light whose direction from `from` is uniform in solid angle.
 struct SolidAngleSample {
   Vec3 point;
-  float pdf_w;  ///< per steradian
+  float pdf_w;           ///< per steradian
+  bool by_area = false;  ///< uniform in area instead
 };
 /// Rectangles by SphericalRectangle, other polygons by the spherical triangles of their fan. Where
 /// the solid angle is too small or too large for float arithmetic, samples by area instead and

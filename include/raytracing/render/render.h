@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -32,6 +33,7 @@ struct RenderOptions {
 struct NonFiniteSample {
   int x, y;
   std::uint64_t sample;
+  NonFiniteCause cause;
 };
 
 struct RenderResult {
@@ -41,6 +43,7 @@ struct RenderResult {
   RayCounts rays;
   std::uint64_t paths = 0;
   std::uint64_t non_finite_samples = 0;
+  std::array<std::uint64_t, kNonFiniteCauses> non_finite_by_cause{};  ///< indexed by NonFiniteCause
   std::vector<NonFiniteSample> first_non_finite;  ///< a few of them, in order of (y, x, sample)
   double render_seconds = 0;                      ///< wall clock
   double cpu_seconds = 0;                         ///< of all threads
