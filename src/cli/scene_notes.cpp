@@ -33,6 +33,10 @@ void print_scene_notes(const Scene& scene, bool quiet, bool strict) {
                scene.lights().size());
   if (scene.lights().empty())
     fmt::print(stderr, "warning: the scene has no light; the picture will be black\n");
+  if (notes.averted_lights > 0)
+    fmt::print(stderr, "warning: {} of {} lights shine away from everything: a light shines to the "
+               "side from which its corners run counter-clockwise\n",
+               notes.averted_lights, scene.lights().size());
   if (notes.split_lights > 0)
     fmt::print(stderr, "repaired: {} emitting faces are not flat and convex: each of their "
                "triangles is a light\n", notes.split_lights);

@@ -11,9 +11,16 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// What a file holds, or a file's name, may be long: the middle is left out.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 1000, kBegin = 600, kEnd = 300;
+  if (text.size() <= kLongest) return text;
+  return text.substr(0, kBegin) + " ... " + text.substr(text.size() - kEnd);
+}
+
 std::string with_place(const TextLocation& where, const std::string& message) {
   const std::string place = to_string(where);
-  return one_line(place.empty() ? message : place + ": " + message);
+  return one_line(place.empty() ? shortened(message) : place + ": " + shortened(message));
 }
 
 }  // namespace

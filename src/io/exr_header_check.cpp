@@ -1,6 +1,5 @@
 #include "exr_header_check.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -88,7 +87,7 @@ void check_exr_header_sizes(const std::string& bytes) {
     while (!reader.name().empty()) {
       any = several;
       const std::string_view type = reader.name();
-      if (type == "idmanifest") throw InputError("its attributes of type idmanifest cannot be read");
+      if (type == "idmanifest") throw InputError("attributes of type idmanifest cannot be read");
       check_value(type, reader.take(reader.word()));
     }
   }

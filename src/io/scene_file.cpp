@@ -9,6 +9,7 @@
 #include "model_loader.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/nearest_name.h"
+#include "raytracing/scene/camera.h"
 #include "toml_reader.h"
 
 namespace raytracing {
@@ -53,6 +54,18 @@ CameraDescription read_camera(const TomlTable& table) {
     throw table.error("fov", "must be an angle in degrees between 0 and 180, both excluded");
   }
   return camera;
+}
+
+// Far coordinates, short views and narrow angles leave the range of a float on the way to a ray.
+void check_camera(const CameraDescription& description, int width, int height,
+                  const TomlTable& table) {
+  const Camera camera(description, width, height);
+  for (const Vec2& corner : {Vec2(0, 0), Vec2(width, 0), Vec2(0, height), Vec2(width, height)}) {
+    const float squared = dot(camera.ray(corner.x, corner.y).direction,
+                              camera.ray(corner.x, corner.y).direction);
+    if (!(squared > 0.99f && squared < 1.01f))
+      throw table.error("target", "no camera rays can be computed from these numbers");
+  }
 }
 
 void read_render(const TomlTable& render, const std::vector<std::string>& light_sampling_names,
@@ -160,7 +173,9 @@ SceneFile parse_scene(std::string_view text, const std::string& path,
   const TomlTable root(document, document.root(), "", kRootKeys);
 
   if (const auto film = root.table("film", kFilmKeys)) read_film(*film, file);
-  file.scene.camera = read_camera(*root.table("camera", kCameraKeys));
+  const TomlTable camera = *root.table("camera", kCameraKeys);
+  file.scene.camera = read_camera(camera);
+  check_camera(file.scene.camera, file.width, file.height, camera);
   if (const auto render = root.table("render", kRenderKeys)) {
     read_render(*render, light_sampling_names, file);
   }

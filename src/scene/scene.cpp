@@ -20,13 +20,29 @@ Scene::Scene(Builder&& b, int threads, bool with_segments)
       notes_(b.notes),
       geometry_(std::move(b.positions), std::move(b.triangles), std::move(b.spheres), threads) {
   std::vector<float> powers;
-  for (const AreaLight& light : lights_) powers.push_back(light.power());
+  for (const AreaLight& light : lights_) {
+    powers.push_back(light.power());
+    if (!faces_anything(light)) ++notes_.averted_lights;
+  }
   light_choice_ = DiscreteDistribution(powers);
   if (!with_segments) return;
   std::vector<std::uint32_t> light_of_triangle;
   for (const TriangleRecord& t : triangles_) light_of_triangle.push_back(t.light);
   segments_ = SegmentVisibility(geometry_.positions(), geometry_.triangles(), light_of_triangle,
                                 geometry_.spheres(), threads);
+}
+
+bool Scene::faces_anything(const AreaLight& light) const {
+  constexpr float kRoundings = 8;
+  const auto is_in_front = [&](const Vec3& p, float radius) {
+    return dot(p - light.corners[0], light.normal) + radius > kRoundings * light.error;
+  };
+  if (is_in_front(camera_.origin, 0)) return true;
+  for (const Vec3& p : geometry_.positions())
+    if (is_in_front(p, 0)) return true;
+  for (const Sphere& s : geometry_.spheres())
+    if (is_in_front(s.center, s.radius)) return true;
+  return false;
 }
 
 Vertex Scene::vertex(const Ray& ray, const Hit& hit) const {

@@ -33,6 +33,7 @@ struct Vertex {
 struct BuildNotes {
   std::uint64_t split_lights = 0;      ///< emitting faces not planar and convex, cut into triangles
   std::uint64_t zero_area_lights = 0;  ///< emitting triangles without area, left out as lights
+  std::uint64_t averted_lights = 0;    ///< lights with nothing on their emitting side
 };
 
 /// Everything that rendering reads. Immutable after construction.
@@ -70,6 +71,8 @@ class Scene {
     Vec3 corners[3];  // unit
   };
   struct Builder;
+  // Whether any surface, or the camera, lies on the emitting side of the light's plane.
+  bool faces_anything(const AreaLight& light) const;
   Scene(Builder&& builder, int threads, bool with_segments);
 
   std::vector<Material> materials_;  // one per surface
