@@ -1,0 +1,129 @@
+// Scenes at the edge of sense: each ends, and says what is wrong with it.
+
+#include <gtest/gtest.h>
+
+#include "raytracing/integrator/direct_method.h"
+#include "raytracing/io/image_reader.h"
+#include "support/cli_folder.h"
+
+namespace raytracing {
+namespace {
+
+const std::string kCamera =
+    "[film]\nwidth = 6\nheight = 6\n[camera]\norigin = [0,0,0]\ntarget = [0,0.1,-1]\n";
+// The cube [-1,1]^3 seen from inside, and in its ceiling a light.
+const std::string kRoom =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+    "f 1 2 3 4\nf 6 5 8 7\nf 2 6 7 3\nf 5 1 4 8\nf 5 6 2 1\nf 4 3 7 8\n";
+const std::string kModel = "[[models]]\nobj = 'room.obj'\nmaterial = 'wall'\n"
+                           "[[models]]\nobj = 'light.obj'\nmaterial = 'light'\n";
+const std::string kDown = "v -.5 .9 -.5\nv .5 .9 -.5\nv .5 .9 .5\nv -.5 .9 .5\nf 1 2 3 4\n";
+
+std::string materials(const std::string& reflectance, const std::string& emission) {
+  return "[materials.wall]\ntype = 'diffuse'\nreflectance = " + reflectance +
+         "\n[materials.light]\ntype = 'diffuse'\nreflectance = " + reflectance + "\nemission = " +
+         emission + "\n";
+}
+
+struct Extremes : ::testing::Test {
+  RunResult render(const std::string& scene, std::vector<std::string> more = {}) {
+    at_.folder.write("s.toml", scene);
+    more.insert(more.begin(), {"s.toml", "-o", "s.exr", "--stats", "s.json", "--spp=16"});
+    return at_.run(more);
+  }
+  double mean() const { return at_.json("s.json")["mean_rgb"][1]; }
+  CliFolder at_;
+};
+
+TEST_F(Extremes, AnEmptySceneIsBlackAndSaysSo) {
+  const RunResult run = render(kCamera);
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("warning: the scene has no light; the picture will be black\n"),
+            std::string::npos) << run.err;
+  for (const float value : read_image(at_.folder / "s.exr").values) EXPECT_EQ(value, 0);
+}
+
+// Without roulette no path in a closed room that absorbs nothing would end.
+TEST_F(Extremes, ARoomThatAbsorbsNothingEnds) {
+  at_.folder.write("room.obj", kRoom);
+  at_.folder.write("light.obj", kDown);
+  for (const DirectMethod& method : direct_methods()) {
+    const RunResult run = render(kCamera + materials("1", "1") + kModel,
+                                 {"--light-sampling", std::string(method.name), "--strict"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_GT(mean(), 0.2);
+    EXPECT_EQ(at_.json("s.json")["rays_escaped"], 0) << "lost in a closed room: " << method.name;
+  }
+}
+
+TEST_F(Extremes, BrightLightsScaleAndStayFinite) {
+  at_.folder.write("room.obj", kRoom);
+  at_.folder.write("light.obj", kDown);
+  ASSERT_EQ(render(kCamera + materials("0.5", "1") + kModel).exit_code, 0);
+  const double one = mean();
+  ASSERT_EQ(render(kCamera + materials("0.5", "1e9") + kModel, {"--strict"}).exit_code, 0);
+  EXPECT_NEAR(mean() / 1e9, one, 1e-5 * one);
+  ASSERT_EQ(render(kCamera + materials("0.5", "1e-9") + kModel, {"--strict"}).exit_code, 0);
+  EXPECT_NEAR(mean() * 1e9, one, 1e-5 * one);
+}
+
+TEST_F(Extremes, ALightThatShinesAwayFromEverythingIsTold) {
+  at_.folder.write("room.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\nf 4 3 2 1\n");
+  at_.folder.write("light.obj", kDown);
+  const std::string scene = kCamera + materials("0.5", "1") + kModel;
+  EXPECT_EQ(render(scene).err.find("away from everything"), std::string::npos);
+  at_.folder.write("light.obj", "v -.5 .9 -.5\nv .5 .9 -.5\nv .5 .9 .5\nv -.5 .9 .5\nf 4 3 2 1\n");
+  const RunResult run = render(scene, {"--quiet"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err,
+            "warning: 1 of 1 lights shine away from everything: a light shines to the side from "
+            "which its corners run counter-clockwise\n");
+  EXPECT_EQ(mean(), 0);
+}
+
+TEST_F(Extremes, ALightWithoutAreaIsDropped) {
+  at_.folder.write("room.obj", kRoom);
+  at_.folder.write("light.obj", "v 0 .9 0\nv 1 .9 0\nv .5 .9 0\nf 1 2 3\n");
+  const RunResult run = render(kCamera + materials("0.5", "1") + kModel);
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("light.obj:4:1: dropped: face without area\n"), std::string::npos)
+      << run.err;
+  EXPECT_NE(run.err.find("warning: the scene has no light"), std::string::npos);
+  EXPECT_EQ(mean(), 0);
+}
+
+// Inside a sphere within the room: dark, but no more than that.
+TEST_F(Extremes, ACameraInsideOfGeometry) {
+  at_.folder.write("room.obj", kRoom);
+  at_.folder.write("light.obj", kDown);
+  const RunResult run = render(kCamera + materials("0.9", "1") + kModel +
+                                   "[[spheres]]\ncenter = [0,0,0]\nradius = 0.5\nmaterial = 'wall'\n",
+                               {"--strict"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(mean(), 0);
+  EXPECT_EQ(at_.json("s.json")["rays_escaped"], 0);
+}
+
+// The ledger: rays that leave an open scene, and light samples that fall back on the area.
+TEST_F(Extremes, FallbacksAndEscapedRaysAreCounted) {
+  at_.folder.write("room.obj", "v -9 -1 -9\nv 9 -1 -9\nv 9 -1 9\nv -9 -1 9\nf 4 3 2 1\n");
+  at_.folder.write("light.obj", kDown);
+  const std::string near = kCamera + materials("0.5", "1") + kModel;
+  const std::string far = near + "translate = [0, 1000, 0]\n";
+  for (const char* method : {"solid-angle", "line", "point"}) {
+    ASSERT_EQ(render(far, {"--light-sampling", method, "--max-depth=3"}).exit_code, 0);
+    const auto stats = at_.json("s.json");
+    EXPECT_GT(stats["rays_escaped"], 0);
+    if (method == std::string("solid-angle")) {
+      EXPECT_GT(stats["area_fallbacks"], 0);
+      EXPECT_EQ(stats["area_fallbacks"], stats["rays_shadow"]);
+    } else {
+      EXPECT_EQ(stats["area_fallbacks"], 0) << "in closed form, or by area anyway: " << method;
+    }
+  }
+  ASSERT_EQ(render(near, {"--max-depth=1", "--light-sampling=solid-angle"}).exit_code, 0);
+  EXPECT_LT(at_.json("s.json")["area_fallbacks"], at_.json("s.json")["rays_shadow"]);
+}
+
+}  // namespace
+}  // namespace raytracing
