@@ -24,6 +24,7 @@ const std::map<std::string, std::string> kContract{
     {"--stats", "x.json"},     {"--progress", "jsonl"}, {"--quiet", ""},
     {"--strict", ""},          {"--replay", "0,0,0"},   {"--list-methods", ""},
     {"--version", ""},         {"--help", ""},          {"--replicates", "1"},
+    {"--reuse", "1"},
 };
 
 /// The names that the help lists at the start of its lines.
