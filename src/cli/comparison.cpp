@@ -67,7 +67,7 @@ std::vector<Row> rows(const Comparison& c) {
   const auto after_smape = result.begin() + 6;
   result.insert(after_smape,
                 {"flip", "FLIP", c.flip,
-                 fmt::format("mean LDR-FLIP, {} pixels per degree, values cut off to 0..1",
+                 fmt::format("mean LDR-FLIP, {} pixels per degree, values cut off to 0..1, NaN to 0",
                              kFlipPixelsPerDegree)});
   if (!c.z) return result;
   for (const Row& row : z_rows(*c.z, c.expected)) result.push_back(row);

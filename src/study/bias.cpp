@@ -10,7 +10,6 @@
 namespace raytracing {
 namespace {
 
-constexpr double kNormal95 = 1.960;           // two-sided 95 %
 constexpr double kOneSidedHalfPercent = 2.576;
 constexpr double kTwoSidedHalfPercent = 2.807;
 // Pictures hold 32-bit floats: bias below this, relative to the value, is not told from rounding.

@@ -48,7 +48,6 @@ ReportTable equal_error(const ChartSummary& summary) {
 
 std::vector<std::string> bias_cells(const std::optional<BiasEstimate>& bias) {
   if (!bias) return {"-", "-", "not known"};
-  constexpr double kNormal95 = 1.960;
   const Estimate &level = bias->relative_squared, &mean = bias->mean_ratio;
   return {fmt::format("{:.2g} ± {:.1g}", level.value, kNormal95 * level.standard_error),
           fmt::format("{:+.2f} ± {:.2f}", 100 * mean.value, 100 * kNormal95 * mean.standard_error),

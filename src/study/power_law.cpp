@@ -53,8 +53,8 @@ std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const
     const double r = std::log(y[i]) - fit.log_scale - fit.slope * std::log(x[i]);
     residuals += r * r;
   }
-  const double error = std::sqrt(residuals / (n - 2) / xx);
-  const double half = student_t_quantile(0.95, fit.points - 2) * error;
+  fit.slope_error = std::sqrt(residuals / (n - 2) / xx);
+  const double half = student_t_quantile(0.95, fit.points - 2) * fit.slope_error;
   fit.slope_interval = PowerLaw::Interval{fit.slope - half, fit.slope + half};
   return fit;
 }

@@ -29,7 +29,7 @@ TEST(Compare, PrintsNumbersWithTheirFormulas) {
         "\nMAE               0.0833333  mean |x-r|\n",
         "\nPSNR                13.8021  10 log10(1 / MSE) dB, for a peak of 1\n",
         "\nSMAPE             0.0551876  mean |x-r| / (|x| + |r| + 0.01)\n",
-        "\nFLIP ", "  mean LDR-FLIP, 67 pixels per degree, values cut off to 0..1\n",
+        "\nFLIP ", "  mean LDR-FLIP, 67 pixels per degree, values cut off to 0..1, NaN to 0\n",
         "\nmean ratio G              1  mean x / mean r\n",
         "\nmean ratio B           0.75  mean x / mean r\n",
         "\nlargest                 0.5  |x-r| of a channel, at pixel 1,0\n",

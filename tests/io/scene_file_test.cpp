@@ -8,10 +8,7 @@
 namespace raytracing {
 namespace {
 
-TEST(SceneFile, ReadsEveryKey) {
-  SceneFolder scene;
-  scene.folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
-  const SceneFile file = scene.load(R"(# every key
+constexpr const char* kEveryKey = R"(
 [film]
 width = 65536
 height = 1
@@ -45,39 +42,56 @@ material = "lamp"
 center = [278, 120, 280]
 radius = 120
 material = "metal"
-)");
-  EXPECT_EQ(file.width, 65536);
-  EXPECT_EQ(file.height, 1);
-  EXPECT_EQ(file.spp, 9007199254740993);
-  EXPECT_EQ(file.light_sampling, "line");
-  const CameraDescription& camera = file.scene.camera;
+)";
+
+class EveryKey : public ::testing::Test {
+ protected:
+  EveryKey() {
+    scene_.folder.write("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    file_ = scene_.load(kEveryKey);
+  }
+
+  SceneFolder scene_;
+  SceneFile file_;
+};
+
+TEST_F(EveryKey, OfTheWholePicture) {
+  EXPECT_EQ(file_.width, 65536);
+  EXPECT_EQ(file_.height, 1);
+  EXPECT_EQ(file_.spp, 9007199254740993);
+  EXPECT_EQ(file_.light_sampling, "line");
+  const CameraDescription& camera = file_.scene.camera;
   EXPECT_EQ(camera.origin, Vec3(278, 273.5f, -800));
   EXPECT_EQ(camera.target, Vec3(278, 273, 0));
   EXPECT_EQ(camera.up, Vec3(0.5f, 1, 0));
   EXPECT_EQ(camera.vertical_fov, 37.5f);
+}
 
-  ASSERT_EQ(file.scene.surfaces.size(), 3u);
-  const Surface& lamp = file.scene.surfaces[0];
+TEST_F(EveryKey, OfMaterials) {
+  ASSERT_EQ(file_.scene.surfaces.size(), 3u);
+  const Surface& lamp = file_.scene.surfaces[0];
   EXPECT_EQ(lamp.name, "lamp");
   EXPECT_EQ(std::get<Diffuse>(lamp.material).reflectance, Rgb(0.0f));
   EXPECT_EQ(lamp.Le, Rgb(47.5f, 38, 31));
-  const Surface& metal = file.scene.surfaces[1];
+  const Surface& metal = file_.scene.surfaces[1];
   EXPECT_EQ(metal.name, "metal");
   EXPECT_EQ(std::get<GgxConductor>(metal.material).reflectance, Rgb(0.9f, 0.85f, 0.7f));
   EXPECT_EQ(std::get<GgxConductor>(metal.material).alpha, 0.25f);
   EXPECT_EQ(std::get<GgxConductor>(metal.material).fresnel, Fresnel::schlick);
   EXPECT_EQ(metal.Le, Rgb(0.0f));
-  EXPECT_EQ(std::get<Diffuse>(file.scene.surfaces[2].material).reflectance, Rgb(1, 0.5f, 0));
+  EXPECT_EQ(std::get<Diffuse>(file_.scene.surfaces[2].material).reflectance, Rgb(1, 0.5f, 0));
+}
 
-  ASSERT_EQ(file.scene.meshes.size(), 1u);
-  EXPECT_EQ(file.scene.meshes[0].positions[1], Vec3(1, 2, 1));
-  ASSERT_EQ(file.scene.meshes[0].faces.size(), 1u);
-  EXPECT_EQ(file.scene.meshes[0].faces[0].material, 0u);
-  ASSERT_EQ(file.scene.spheres.size(), 1u);
-  EXPECT_EQ(file.scene.spheres[0].center, Vec3(278, 120, 280));
-  EXPECT_EQ(file.scene.spheres[0].radius, 120);
-  EXPECT_EQ(file.scene.spheres[0].surface, 1u);
-  EXPECT_EQ(file.assets, std::vector<std::string>{scene.folder / "quad.obj"});
+TEST_F(EveryKey, OfShapes) {
+  ASSERT_EQ(file_.scene.meshes.size(), 1u);
+  EXPECT_EQ(file_.scene.meshes[0].positions[1], Vec3(1, 2, 1));
+  ASSERT_EQ(file_.scene.meshes[0].faces.size(), 1u);
+  EXPECT_EQ(file_.scene.meshes[0].faces[0].material, 0u);
+  ASSERT_EQ(file_.scene.spheres.size(), 1u);
+  EXPECT_EQ(file_.scene.spheres[0].center, Vec3(278, 120, 280));
+  EXPECT_EQ(file_.scene.spheres[0].radius, 120);
+  EXPECT_EQ(file_.scene.spheres[0].surface, 1u);
+  EXPECT_EQ(file_.assets, std::vector<std::string>{scene_.folder / "quad.obj"});
 }
 
 TEST(SceneFile, HasDefaults) {

@@ -6,6 +6,7 @@
 #include "raytracing/io/scene_file.h"
 #include "raytracing/lights/chord_sample.h"
 #include "raytracing/scene/camera.h"
+#include "raytracing/study/power_law.h"
 #include "studies/study.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
@@ -240,11 +241,11 @@ void run(StudyReport& report) {
     csv += fmt::format("{};{:.1f};{:.1f};{:.3f};{:.3f};{:.3f}\n", 2 * k * k, c.ray * 1e9,
                        c.segment * 1e9, c.ratio, c.estimate_ratio, c.scattered_ratio);
   }
-  const PowerLaw ray_law = fit_power_law(triangles, rays);
-  const PowerLaw segment_law = fit_power_law(triangles, segments);
+  const PowerLaw ray_law = *fit_power_law(triangles, rays);
+  const PowerLaw segment_law = *fit_power_law(triangles, segments);
   report.print("\nTime grows with the triangles to the power {:.2f} ± {:.2f} (segment) and {:.2f} "
                "± {:.2f} (ray).\n",
-               segment_law.exponent, segment_law.error, ray_law.exponent, ray_law.error);
+               segment_law.slope, segment_law.slope_error, ray_law.slope, ray_law.slope_error);
   report.write_csv("sheet", csv);
   report.write_text();
 }

@@ -8,6 +8,7 @@
 
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
+#include "raytracing/study/power_law.h"
 #include "studies/study.h"
 
 namespace raytracing {
@@ -185,7 +186,7 @@ struct Curve {
   // Time to an error: between neighbours, or by the law beyond the last, which `beyond` then tells.
   double time_to(double target, bool& beyond) const {
     beyond = errors.back() > target;
-    if (beyond) return seconds.back() * std::pow(target / errors.back(), 1 / law.exponent);
+    if (beyond) return seconds.back() * std::pow(target / errors.back(), 1 / law.slope);
     std::size_t i = 1;
     while (i + 1 < errors.size() && errors[i] > target) ++i;
     const double slope =
@@ -202,7 +203,7 @@ Curve make_curve(const std::vector<double>& errors, double seconds_per_spp) {
     curve.errors.push_back(errors[log]);
   }
   curve.law =
-      fit_power_law(std::span(curve.seconds).subspan(2), std::span(curve.errors).subspan(2));
+      *fit_power_law(std::span(curve.seconds).subspan(2), std::span(curve.errors).subspan(2));
   return curve;
 }
 
@@ -239,7 +240,7 @@ void run(StudyReport& report) {
     const Curve curve = make_curve(errors, cost);
     report.print("| {} | {:.2f} | {:.2e} | {:.2e} | {:.2e} | {:.2e} at {} | {:.2f} ± {:.2f} |",
                  entry.name, cost / seconds.at("point"), errors[4], errors[6], errors[8],
-                 errors.back(), 1 << entry.largest_log, curve.law.exponent, curve.law.error);
+                 errors.back(), 1 << entry.largest_log, curve.law.slope, curve.law.slope_error);
     for (std::size_t t = 0; t < std::size(kTargets); ++t) {
       bool beyond = false;
       times[entry.name][t] = curve.time_to(kTargets[t], beyond);

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "raytracing/math/numeric.h"
+#include "raytracing/study/power_law.h"
 #include "studies/study.h"
 #include "support/direct_light.h"
 
@@ -154,7 +155,7 @@ PowerLaw fit(const Errors& errors) {
     n.push_back(1 << log);
     e.push_back(errors[log]);
   }
-  return fit_power_law(n, e);
+  return *fit_power_law(n, e);
 }
 
 std::string csv(std::span<const Variant> all, std::span<const Errors> errors) {
@@ -187,8 +188,8 @@ void run(StudyReport& report) {
       const PowerLaw law = fit(errors[k]);
       const double theory = all[k].expected(c.expected);
       report.print("| {} | {:.2e} | {:.2e} | {:.2f} ± {:.2f} | {:.1f} | {} |\n", all[k].name,
-                   errors[k][4], errors[k][8], law.exponent, law.error, theory,
-                   std::abs(law.exponent - theory) > 0.15 ? "*" : "");
+                   errors[k][4], errors[k][8], law.slope, law.slope_error, theory,
+                   std::abs(law.slope - theory) > 0.15 ? "*" : "");
     }
     report.print("\n");
     report.write_csv(c.file, csv(all, errors));

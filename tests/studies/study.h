@@ -1,15 +1,13 @@
 #pragma once
-// What the studies share: reports in Markdown, tables for the charts, fits and clocks.
+// What the studies share: reports in Markdown, tables for the charts, quantiles and clocks.
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -54,38 +52,6 @@ class StudyReport {
   std::filesystem::path folder_;
   std::string name_, text_;
 };
-
-/// The straight line of least squares through points (log x, log y).
-struct PowerLaw {
-  double exponent = 0;
-  double error = 0;      ///< standard error of the exponent, from the residuals
-  double log_scale = 0;  ///< log y at x = 1
-
-  double at(double x) const { return std::exp(log_scale + exponent * std::log(x)); }
-};
-
-inline PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y) {
-  const double n = static_cast<double>(x.size());
-  double mean_x = 0, mean_y = 0, xx = 0, xy = 0, residuals = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += std::log(x[i]) / n;
-    mean_y += std::log(y[i]) / n;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double dx = std::log(x[i]) - mean_x;
-    xx += dx * dx;
-    xy += dx * (std::log(y[i]) - mean_y);
-  }
-  PowerLaw fit;
-  fit.exponent = xy / xx;
-  fit.log_scale = mean_y - fit.exponent * mean_x;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double r = std::log(y[i]) - fit.log_scale - fit.exponent * std::log(x[i]);
-    residuals += r * r;
-  }
-  if (x.size() > 2) fit.error = std::sqrt(residuals / (n - 2) / xx);
-  return fit;
-}
 
 /// Processor time of this thread: other programs count only by what they do to the caches.
 inline double thread_seconds() {

@@ -1,11 +1,13 @@
-// Real runs of the Cornell box, direct light only: the bias of line-ratio is found, none of the
-// other methods is accused, and half a per cent that is planted is found.
+// Real runs of the Cornell box: the bias of line-ratio is found, none of the other methods is
+// accused, and half a per cent that is planted is found, in direct light and in all bounces.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "raytracing/io/file.h"
 #include "raytracing/io/image_reader.h"
 #include "raytracing/io/scene_file.h"
+#include "raytracing/study/chart_report.h"
 #include "raytracing/study/chart_runs.h"
 #include "raytracing/study/chart_summary.h"
 #include "support/temp_dir.h"
@@ -17,14 +19,14 @@ const std::atomic<bool> kNever{false};
 
 class ChartBias : public ::testing::Test {
  protected:
-  explicit ChartBias(int size = 64) {
+  explicit ChartBias(int size = 64, std::optional<std::uint32_t> max_depth = 1) {
     LoadReport report;
     SceneFile file = load_scene_file(std::string(RAYTRACING_SOURCE_DIR) + "/scenes/cornell.toml",
                                      direct_method_names(), report);
     scene_.emplace(std::move(file.scene), 2);
     settings_.folder = folder_.path();
     settings_.width = settings_.height = size;
-    settings_.max_depth = 1;
+    settings_.max_depth = max_depth;
     settings_.threads = 2;
     settings_.spp = {64};
     for (const char* name : {"point", "line-ratio", "line"})
@@ -84,6 +86,20 @@ TEST_F(ChartBias, IsFoundWhereThereIsOneAndNowhereElse) {
   EXPECT_TRUE(detected(2));
 }
 
+class ChartBiasOfAllBounces : public ChartBias {
+ protected:
+  ChartBiasOfAllBounces() : ChartBias(64, ChartSettings{}.max_depth) {}
+};
+
+TEST_F(ChartBiasOfAllBounces, IsFoundWhereItIsPlanted) {
+  EXPECT_FALSE(detected(0));
+  EXPECT_FALSE(detected(2));
+  brighten("point", 1.005f);
+  brighten("line", 0.995f);
+  EXPECT_TRUE(detected(0));
+  EXPECT_TRUE(detected(2));
+}
+
 class ChartRuns : public ChartBias {
  protected:
   ChartRuns() : ChartBias(16) {}
@@ -107,6 +123,60 @@ TEST_F(ChartRuns, AreMeasuredAsTheirPicturesAre) {
     EXPECT_EQ(header_text(image, "lightSamplingBiased"),
               run.method == "line-ratio" ? "yes" : "no");
   }
+}
+
+TEST_F(ChartRuns, AReferenceRenderedInNoTimeHasTwoChunks) {
+  const auto picture = render_reference(*scene_, settings_, 0, kNever, nullptr);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(header_text(*picture, "spp"), "32");
+  EXPECT_EQ(header_text(*picture, "lightSampling"), "line");
+  OutputFile file(folder_ / "rendered.exr");
+  file.write(encode_image(*picture, ImageFormat::exr));
+  file.commit();
+  ReferenceTerms terms{16, 16, settings_.scene_hash, depth_text(settings_.max_depth), {}};
+  for (const PlannedRun& run : plan_runs(settings_)) terms.seeds.push_back(run.seed);
+  const Reference read = read_reference(folder_ / "rendered.exr", terms);
+  EXPECT_EQ(read.unchecked, "");
+  EXPECT_EQ(read.variance_source, "from two independent halves");
+  // Its own estimate of its error, against the reference of 1024 samples.
+  const double error = error_metrics(read.picture, reference_.picture).relmse;
+  const Estimate floor = noise_floor(read, counted_)->relmse;
+  EXPECT_GT(floor.value, 0);
+  EXPECT_LT(error, 3 * floor.value);
+  EXPECT_GT(error, floor.value / 3);
+}
+
+TEST_F(ChartRuns, AStoppedReferenceIsNone) {
+  const std::atomic<bool> stop{true};
+  EXPECT_FALSE(render_reference(*scene_, settings_, 0, stop, nullptr));
+}
+
+TEST_F(ChartRuns, AreReportedWithTheirNumbers) {
+  brighten("line", 1.05f);
+  const ChartSummary summary = summarise_runs(settings_, *log_, reference_, counted_);
+  const Report report =
+      chart_report(settings_, summary, *log_, reference_, counted_, false, {{"command", "c"}});
+  ASSERT_EQ(report.pictures.size(), 4u);
+  EXPECT_EQ(report.pictures[1].label, "line-ratio (biased)");
+  EXPECT_EQ(report.pictures[3].label, "reference");
+  EXPECT_TRUE(report.pictures[3].error_png.empty());
+  EXPECT_TRUE(report.charts.empty());
+  ASSERT_EQ(report.tables.size(), 5u);
+  for (const ReportTable& table : report.tables)
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size()) << table.caption;
+  const auto& points = report.tables[4].rows;  // one for each method at its only spp
+  ASSERT_EQ(points.size(), 3u);
+  for (std::size_t m = 0; m < 3; ++m) {
+    EXPECT_EQ(points[m][0], settings_.methods[m]->name);
+    EXPECT_EQ(points[m][1], "64");
+    const Spread& relmse = summary.methods[m].points[0].relmse;
+    EXPECT_EQ(points[m][3], fmt::format("{:.3g} ({:.3g} to {:.3g})", relmse.median, relmse.low,
+                                        relmse.high));
+  }
+  const auto& fits = report.tables[2].rows;
+  EXPECT_EQ(fits[0].back(), "no");
+  EXPECT_EQ(fits[2].back(), "yes");
+  EXPECT_EQ(fits[0][1], "-");  // no slope through one point
 }
 
 TEST_F(ChartRuns, AreNotRepeated) {

@@ -8,6 +8,9 @@
 
 namespace raytracing {
 
+/// Half the width of a 95 % interval in standard errors.
+inline constexpr double kNormal95 = 1.960;
+
 /// Per pixel, mean and variance of pictures of one method, one per seed (Welford 1962).
 class SeedMoments {
  public:

@@ -19,7 +19,8 @@ struct PowerLaw {
   };
 
   double slope = 0;
-  double log_scale = 0;
+  double slope_error = 0;  ///< standard error, from the same scatter; 0 for two points
+  double log_scale = 0;    ///< log y at x = 1
   /// 95 % interval of the slope, from the scatter of the points about the line: noise and bend of
   /// the curve both widen it. Empty for two points, which tell nothing of their scatter.
   std::optional<Interval> slope_interval;
