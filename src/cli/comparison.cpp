@@ -67,7 +67,8 @@ std::vector<Row> rows(const Comparison& c) {
   const auto after_smape = result.begin() + 6;
   result.insert(after_smape,
                 {"flip", "FLIP", c.flip,
-                 fmt::format("mean LDR-FLIP, {} pixels per degree, values cut off to 0..1, NaN to 0",
+                 fmt::format("mean LDR-FLIP, {} pixels per degree, values cut off to 0..1, "
+                             "NaN to 0",
                              kFlipPixelsPerDegree)});
   if (!c.z) return result;
   for (const Row& row : z_rows(*c.z, c.expected)) result.push_back(row);
@@ -78,7 +79,8 @@ void add_notes_on(const ImageData& image, const std::string& path,
                   std::vector<std::string>& notes) {
   if (header_text(image, "lightSamplingBiased") == "yes")
     notes.push_back(fmt::format("note: {}: made by the biased method {}: more samples do not bring "
-                                "it to the true picture", path, header_text(image, "lightSampling")));
+                                "it to the true picture",
+                                path, header_text(image, "lightSampling")));
   const std::string complete = header_text(image, "complete");
   if (!complete.empty() && complete != "yes")
     notes.push_back(fmt::format("warning: {}: its rendering was stopped early", path));

@@ -44,8 +44,8 @@ struct RenderArguments {
 /// Parses and checks the command line. Throws UsageError.
 RenderArguments parse_render_arguments(const Arguments& arguments);
 
-/// The settings of the rendering: the command line's, else the scene file's. Throws UsageError where
-/// they do not fit together.
+/// The settings of the rendering: the command line's, else the scene file's. Throws UsageError
+/// where they do not fit together.
 RenderOptions render_options(const RenderArguments& arguments, const SceneFile& scene);
 
 }  // namespace raytracing

@@ -6,7 +6,8 @@
 namespace raytracing {
 namespace {
 
-// Parameters at which what is hidden of a segment may begin or end, in order: 0, up to four more, 1.
+// Parameters at which what is hidden of a segment may begin or end, in order: 0, up to four more,
+// 1.
 struct Candidates {
   std::array<float, 6> values{0, 1};
   std::size_t size = 2;

@@ -22,8 +22,8 @@ Rgb reflected(const Vertex& vertex, const Vec3& wi);
 /// BSDF sampling of the same light (balance heuristic); 1 where the material does without.
 float light_sample_weight(const DirectQuery& query, const Vec3& wi, float pdf_w);
 
-/// Le f cos `visible` / pdf_w for the direction `wi` (world, unit) of reflectance `f_cos`, times its
-/// weight against BSDF sampling.
+/// Le f cos `visible` / pdf_w for the direction `wi` (world, unit) of reflectance `f_cos`, times
+/// its weight against BSDF sampling.
 Rgb one_direction(const DirectQuery& query, const Vec3& wi, const Rgb& f_cos, float visible,
                   float pdf_w);
 

@@ -1,6 +1,6 @@
-// The integrand. The paths of a group have the first vertices x_1 .. x_n, which stay their own, with
-// the direct light there and the emission that their bounce meets, all as in shade(). What differs:
-// the vertex y that one bounce arrives at sends light to all of the group,
+// The integrand. The paths of a group have the first vertices x_1 .. x_n, which stay their own,
+// with the direct light there and the emission that their bounce meets, all as in shade(). What
+// differs: the vertex y that one bounce arrives at sends light to all of the group,
 //
 //   L_i += f_x(i) G(x_i, y) V(x_i, y) * light(y -> x_i) / D,   D = sum over k of p_k(y)
 //

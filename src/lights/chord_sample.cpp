@@ -21,8 +21,8 @@ std::optional<ChordSample> sample_rectangle_chord(const Rectangle& r, const Vec3
 }
 
 // Here chords run along y too. Uniform in t = tan(phi / 2), where phi is the angle across the
-// chords, counted from the middle of the light: |t| <= 1, and the angle's density (1 + t^2) / 2 is almost
-// uniform. As good as a uniform angle, without its arc tangent.
+// chords, counted from the middle of the light: |t| <= 1, and the angle's density (1 + t^2) / 2 is
+// almost uniform. As good as a uniform angle, without its arc tangent.
 WeightedChord angular_chord(const Rectangle& r, const Vec3& from, float u) {
   const Vec3 d = r.corner - from;
   const float x0 = dot(d, r.x), x1 = x0 + r.width;

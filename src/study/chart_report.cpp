@@ -104,7 +104,8 @@ std::vector<std::string> notes(const ChartSummary& summary) {
     if (m.bias() && m.bias()->detected)
       result.push_back(fmt::format("{}: {}.", m.method->name, to_text(*m.bias())));
   result.push_back(
-      "Methods whose bands overlap in the charts are not told apart by so few seeds. relMSE is the " +
+      "Methods whose bands overlap in the charts are not told apart by so few seeds. relMSE is "
+      "the " +
       relmse_formula() +
       " over pixels and channels, with x the picture and r the reference. The error maps show it "
       "per pixel, on a logarithmic scale from black (1e-5 and less) over red to light yellow (10 "

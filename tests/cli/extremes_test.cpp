@@ -97,7 +97,8 @@ TEST_F(Extremes, ACameraInsideOfGeometry) {
   at_.folder.write("room.obj", kRoom);
   at_.folder.write("light.obj", kDown);
   const RunResult run = render(kCamera + materials("0.9", "1") + kModel +
-                                   "[[spheres]]\ncenter = [0,0,0]\nradius = 0.5\nmaterial = 'wall'\n",
+                                   "[[spheres]]\ncenter = [0,0,0]\nradius = 0.5\n"
+                                   "material = 'wall'\n",
                                {"--strict"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(mean(), 0);

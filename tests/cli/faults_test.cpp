@@ -1,5 +1,5 @@
-// What the environment may do to a run: files that cannot be read, assets that are missing, disks that
-// are full, more threads than there is work. Each ends with the right exit code and one line.
+// What the environment may do to a run: files that cannot be read, assets that are missing, disks
+// that are full, more threads than there is work. Each ends with the right exit code and one line.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,8 @@ const std::string kScene =
     "[film]\nwidth = 4\nheight = 4\n[camera]\norigin = [0,0,2]\ntarget = [0,0,0]\n";
 const std::string kSquare = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
 
-/// Runs the program with files limited to so many blocks of 512 bytes, which stands for a full disk.
+/// Runs the program with files limited to so many blocks of 512 bytes, which stands for a full
+/// disk.
 RunResult with_full_disk(const CliFolder& folder, const Names& arguments, int blocks) {
   RunOptions options;
   options.folder = folder.folder.path();
@@ -102,7 +103,8 @@ TEST(Faults, AFullDiskLeavesNothingNew) {
   const Names before = folder.names();
   for (const auto& [arguments, begin] : std::vector<std::pair<Names, std::string>>{
            {{"compare", "a.exr", "b.exr", "--diff", "d.exr"}, "d.exr"},
-           {{kCornell, "--spp=1", "--width=80", "--height=80", "-o", "d.exr", "--quiet"}, "d.exr"}}) {
+           {{kCornell, "--spp=1", "--width=80", "--height=80", "-o", "d.exr", "--quiet"},
+            "d.exr"}}) {
     const RunResult run = with_full_disk(folder, arguments, 4);
     EXPECT_EQ(run.exit_code, 4) << run.err;
     EXPECT_EQ(run.err, "Raytracing: " + begin + ": cannot be written: File too large\n");

@@ -1,6 +1,6 @@
 #pragma once
-// What the fuzzers share. A property that does not hold ends the process, which libFuzzer takes as a
-// finding and keeps the input.
+// What the fuzzers share. A property that does not hold ends the process, which libFuzzer takes as
+// a finding and keeps the input.
 
 #include <cctype>
 #include <cstddef>

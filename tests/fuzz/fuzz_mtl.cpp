@@ -1,5 +1,5 @@
-// MTL text, and the surface that is made of each material: sound values or one line that says where;
-// every record is kept or counted.
+// MTL text, and the surface that is made of each material: sound values or one line that says
+// where; every record is kept or counted.
 
 #include <cmath>
 

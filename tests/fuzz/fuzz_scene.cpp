@@ -1,5 +1,5 @@
-// Scene text: settings within their ranges or one line that says where. The models that a scene names
-// are not there.
+// Scene text: settings within their ranges or one line that says where. The models that a scene
+// names are not there.
 
 #include <cmath>
 

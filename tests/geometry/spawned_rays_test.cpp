@@ -143,8 +143,8 @@ TEST(SpawnedRays, EndBeforeTheLight) {
     }
 }
 
-// The light is near the origin of coordinates, which tells its plane exactly; the vertex is far away
-// and sees it at a flat angle.
+// The light is near the origin of coordinates, which tells its plane exactly; the vertex is far
+// away and sees it at a flat angle.
 TEST(SpawnedRays, EndBeforeTheLightOfAFarVertex) {
   TestRandom random(25);
   for (const float scale : kScales)

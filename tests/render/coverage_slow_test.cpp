@@ -1,11 +1,11 @@
 // Intervals of 95 % from the estimated variances: how often do they hold the truth?
 //
-// The truth of each pixel is its mean over all repetitions, which differ by their seed. Each of them
-// is a part of that mean, so that its distance from it has the variance (1 - 1/n) of its own: the
-// intervals are made narrower by the root of that. All pixels and channels count whose values are
-// not the same in all repetitions. Pixels in dim corners have skewed samples and edges of the light
-// few different values: their intervals hold the truth in 90 % or so, and with few samples in less.
-// They are left in, so that the share of all lies a little below 95 %.
+// The truth of each pixel is its mean over all repetitions, which differ by their seed. Each of
+// them is a part of that mean, so that its distance from it has the variance (1 - 1/n) of its own:
+// the intervals are made narrower by the root of that. All pixels and channels count whose values
+// are not the same in all repetitions. Pixels in dim corners have skewed samples and edges of the
+// light few different values: their intervals hold the truth in 90 % or so, and with few samples in
+// less. They are left in, so that the share of all lies a little below 95 %.
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,11 @@
 // Our pictures against those of Mitsuba 3, a renderer that we did not write.
 //
 // tests/data/mitsuba holds its pictures of six scenes, direct light only and all bounces, with the
-// variances of their pixels; tests/validation/render_reference.py made them and tells how. They were
-// made from the same scene files, which Python read, by none of our code. Mitsuba has our GGX model
-// from a plugin in Python, since its own `roughconductor` takes masking and shadowing as separable:
-// at roughness 0.8 that makes a difference of .2 %, which is seen here, and at 0.4 of .02 %.
+// variances of their pixels; tests/validation/render_reference.py made them and tells how. They
+// were made from the same scene files, which Python read, by none of our code. Mitsuba has our GGX
+// model from a plugin in Python, since its own `roughconductor` takes masking and shadowing as
+// separable: at roughness 0.8 that makes a difference of .2 %, which is seen here, and at 0.4 of
+// .02 %.
 //
 // Ours are Sobol' samples in 32 replicates, whose variances are honest. The pixels that show the
 // light or its edge are told apart: they are a hundred times brighter than the others, so that the

@@ -3,7 +3,8 @@
 // The tests render with another seed and independent samples, so that the variances are true ones.
 // 256 samples per pixel: the mean of a block of 64 pixels is then one of 16384 samples, which is
 // normal enough for z-tests although single samples are skewed; for single pixels see
-// support/compare_pictures.h. Seeds are fixed: a test that passed passes again until the code changes.
+// support/compare_pictures.h. Seeds are fixed: a test that passed passes again until the code
+// changes.
 
 #include <gtest/gtest.h>
 

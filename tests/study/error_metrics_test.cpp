@@ -98,7 +98,8 @@ TEST(ErrorMetrics, OfEqualPictures) {
 TEST(ErrorMetrics, NonFinitePixelsAreCountedAndLeftOut) {
   const float big = 1e30f;
   const ErrorMetrics m =
-      error_metrics(picture(5, 1, {kNan, big, big, 1, 1, 1, big, big, -kInfinity, 0, 0, 0, 3, 3, 3}),
+      error_metrics(picture(5, 1, {kNan, big, big, 1, 1, 1, big, big, -kInfinity, 0, 0, 0, 3, 3,
+                                   3}),
                     picture(5, 1, {big, 0, 0, 0, kInfinity, 0, kNan, 0, 0, 1, 0, 0, 3, 3, 3}));
   EXPECT_EQ(m.non_finite_test, 2u);
   EXPECT_EQ(m.non_finite_reference, 2u);

@@ -1,8 +1,9 @@
 """Opens reports from disk in a headless Chromium and uses them.
 
 report_browser_test.py REPORT_PAGE RAYTRACING [--screenshots FOLDER]
-REPORT_PAGE is the program that writes the example page; RAYTRACING makes a small chart. Ends with 77 where Chromium, its driver or Selenium
-is missing. Debian: chromium chromium-driver python3-selenium.
+REPORT_PAGE is the program that writes the example page; RAYTRACING makes a small chart. Ends with
+77 where Chromium, its driver or Selenium is missing. Debian: chromium chromium-driver
+python3-selenium.
 """
 import argparse
 import importlib.util

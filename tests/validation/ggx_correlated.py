@@ -5,7 +5,8 @@ height-correlated form of Smith's masking and shadowing (Heitz 2014, eq. 99),
 
     f cos(wo) = R D(m) / (1 + Lambda(wi) + Lambda(wo)) / (4 cos(wi)),
 
-without a Fresnel term. At roughness 0.8 the difference is seen easily, at 0.4 hardly. Sampling and density are those of visible normals. Both sides reflect.
+without a Fresnel term. At roughness 0.8 the difference is seen easily, at 0.4 hardly. Sampling and
+density are those of visible normals. Both sides reflect.
 
 `python3 ggx_correlated.py` checks the plugin against quadrature in numpy.
 """

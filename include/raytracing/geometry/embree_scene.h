@@ -38,8 +38,8 @@ class EmbreeScene {
   std::optional<Hit> closest_hit(const Ray& ray) const;
   /// True when something lies strictly between the points `from` and `to`.
   bool occluded(const Vec3& from, const Vec3& to) const;
-  /// The same for 8 segments that share the point `from`: bit k tells of the end (x[k], y[k], z[k]).
-  /// Only the bits that are set in `wanted` are looked at; the others stay 0.
+  /// The same for 8 segments that share the point `from`: bit k tells of the end (x[k], y[k],
+  /// z[k]). Only the bits that are set in `wanted` are looked at; the others stay 0.
   unsigned occluded8(const Vec3& from, const float* x, const float* y, const float* z,
                      unsigned wanted) const;
 

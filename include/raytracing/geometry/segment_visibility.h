@@ -17,7 +17,8 @@ namespace raytracing {
 ///
 /// The triangle (p, a, b = a + d) spans the query. In its plane a point is
 /// p + alpha (a-p) + beta (b-p); what lies at alpha, beta >= 0 and alpha + beta < 1 hides the point
-/// t = beta / (alpha + beta) of the segment. Triangles cut that plane in segments, so that each hides one interval of t.
+/// t = beta / (alpha + beta) of the segment. Triangles cut that plane in segments, so that each
+/// hides one interval of t.
 class SegmentVisibility {
  public:
   SegmentVisibility() = default;

@@ -14,8 +14,8 @@ struct RayCounts {
   std::uint64_t shadow = 0;    ///< occlusion tests
   std::uint64_t segments = 0;  ///< exact visibility queries of a segment
   std::uint64_t escaped = 0;   ///< closest-hit rays from a surface that met nothing
-  /// Light samples taken uniform in area by a method that is uniform in solid angle, where the solid
-  /// angle is too small or too large for float arithmetic.
+  /// Light samples taken uniform in area by a method that is uniform in solid angle, where the
+  /// solid angle is too small or too large for float arithmetic.
   std::uint64_t area_fallbacks = 0;
 
   RayCounts& operator+=(const RayCounts& other) {

@@ -16,9 +16,9 @@ struct WeightedChord {
 
 /// Chooses a chord by the uniform number u in [0,1). The chords run along the light's longest edge
 /// (`direction` = 0) or across it (1). Of a rectangle the density is, within a factor of 2, uniform
-/// in the angle that `from` sees across the chords' lines, of other polygons in area; it is continuous
-/// over the light, since a jump would cost the convergence an order. Nothing when `from` does not
-/// see the emitting side, or where rounding leaves no chord.
+/// in the angle that `from` sees across the chords' lines, of other polygons in area; it is
+/// continuous over the light, since a jump would cost the convergence an order. Nothing when `from`
+/// does not see the emitting side, or where rounding leaves no chord.
 std::optional<WeightedChord> sample_whole_chord(const AreaLight& light, const Vec3& from,
                                                 int direction, float u);
 

@@ -56,8 +56,8 @@ struct ReferenceTerms {
 };
 
 /// Reads an EXR picture as the reference. Throws InputError when it is none, of another size, or
-/// when its header tells of another scene or depth, of a biased method, of one of the seeds, or of a
-/// rendering that was stopped.
+/// when its header tells of another scene or depth, of a biased method, of one of the seeds, or of
+/// a rendering that was stopped.
 Reference read_reference(const std::string& path, const ReferenceTerms& terms);
 
 }  // namespace raytracing

@@ -43,8 +43,8 @@ std::optional<ChartRun> run_from_csv(std::string_view line);
 class RunLog {
  public:
   /// Reads what is there. Rows that were cut off or have no picture are taken out; in the second
-  /// case the table as it was is kept as runs.csv.old. Throws InputError for a file that is not such
-  /// a table, OutputError.
+  /// case the table as it was is kept as runs.csv.old. Throws InputError for a file that is not
+  /// such a table, OutputError.
   explicit RunLog(std::string folder);
 
   const std::vector<ChartRun>& runs() const { return runs_; }

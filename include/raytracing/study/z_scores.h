@@ -23,8 +23,8 @@ struct ZScores {
   std::uint64_t not_finite;   ///< channels where a value or a variance is no finite number or < 0
 };
 
-/// The z-scores as channels R, G, B of a picture; NaN where there is no score. Throws InputError for
-/// different sizes, and where neither picture has variance layers.
+/// The z-scores as channels R, G, B of a picture; NaN where there is no score. Throws InputError
+/// for different sizes, and where neither picture has variance layers.
 ImageData z_score_picture(const ImageData& test, const ImageData& reference);
 
 /// What the shares and the RMS should be for pictures of the same expectation.
