@@ -12,6 +12,7 @@
 #include "build_info.h"
 #include "commands.h"
 #include "raytracing/io/errors.h"
+#include "raytracing/io/nearest_name.h"
 
 namespace raytracing {
 namespace {
@@ -29,6 +30,8 @@ constexpr std::array kCommands{
     Command{"chart", "measures the error of the methods against their time, and draws it",
             chart_command},
 };
+
+constexpr const char* kStdoutFailed = "standard output: cannot be written";
 
 // As a shell would take it again.
 std::string quoted(std::string_view argument) {
@@ -56,13 +59,12 @@ int dispatch(int argc, char** argv) {
     break;
   }
   const int code = chosen->run(arguments);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw OutputError("standard output: cannot be written");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw OutputError(kStdoutFailed);
   return code;
 }
 
-int fail(int code, std::string_view message) {
-  fmt::print(stderr, "Raytracing: {}\n", message);
+int fail(int code, const std::string& message) {
+  fmt::print(stderr, "Raytracing: {}\n", one_line(message));
   return code;
 }
 
@@ -74,6 +76,12 @@ std::string subcommands_text() {
   for (const Command& command : kCommands)
     text += fmt::format("{:<12} {}\n", command.name, command.summary);
   return text + "\n";
+}
+
+std::string nearest_subcommand(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Command& command : kCommands) names.emplace_back(command.name);
+  return nearest_name(name, names);
 }
 
 int run(int argc, char** argv) {
@@ -92,6 +100,7 @@ int run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return fail(kExitCheckFailed, "not enough memory");
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return fail(kExitOutputFailed, kStdoutFailed);
     return fail(kExitCheckFailed, error.what());
   }
 }

@@ -53,9 +53,6 @@ class Chart {
 
   /// The exit code.
   int make(const Scene& scene) {
-    std::error_code error;
-    std::filesystem::create_directories(a_.folder, error);
-    if (error) throw OutputError(a_.folder + ": " + error.message());
     const PixelMask mask = read_mask(a_.mask, settings_.width, settings_.height);
     if (!a_.mask.empty()) mask_id_ = fmt::format("{:016x}", hash_bytes(read_file(a_.mask)));
     if (a_.reference != "auto") {
@@ -64,8 +61,12 @@ class Chart {
         fmt::print(stderr, "warning: {}: its header does not tell {}: not checked\n", a_.reference,
                    reference_->unchecked);
     }
+    std::error_code error;
+    std::filesystem::create_directories(a_.folder, error);
+    if (error) throw OutputError(a_.folder + ": " + error.message());
     claim_folder(a_.folder, settings_json(settings_, reference_id(), mask_id_));
-    if (!reference_ && !take_auto_reference(scene)) return stopped();
+    if (!reference_ && !take_auto_reference(scene))
+      return stopped("before the reference was complete: the same command begins it anew");
     const PixelMask counted = counted_pixels(reference_->picture, mask);
     const auto floor = noise_floor(*reference_, counted);
     tell_reference(floor);
@@ -74,7 +75,8 @@ class Chart {
     if (log.dropped() > 0)
       fmt::print(stderr, "warning: {} rows of {}/runs.csv have no picture in runs/ and are made "
                          "anew; the old table is kept as runs.csv.old\n", log.dropped(), a_.folder);
-    if (!make_all_runs(scene, {*reference_, counted, floor}, log)) return stopped();
+    if (!make_all_runs(scene, {*reference_, counted, floor}, log))
+      return stopped("finished runs are kept; the same command goes on");
     write_results(summarise_runs(settings_, log, *reference_, counted), log, counted);
     return kExitGood;
   }
@@ -196,8 +198,8 @@ class Chart {
         tell(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
   }
 
-  int stopped() const {
-    fmt::print(stderr, "stopped: finished runs are kept; the same command goes on\n");
+  int stopped(const char* what_now) const {
+    fmt::print(stderr, "stopped: {}\n", what_now);
     return kExitSignalBase + signals_.signal();
   }
 

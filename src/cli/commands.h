@@ -16,6 +16,9 @@ struct Arguments {
 /// The table of subcommands, one a line, for the help.
 std::string subcommands_text();
 
+/// The subcommand with the name most like this one.
+std::string nearest_subcommand(const std::string& name);
+
 /// Renders a scene to pictures. Returns the exit code; throws UsageError, InputError, OutputError.
 int render_command(const Arguments& arguments);
 

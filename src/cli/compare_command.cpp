@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "commands.h"
 #include "comparison.h"
 #include "option_list.h"
+#include "output_paths.h"
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
@@ -26,20 +26,6 @@ struct CompareArguments {
   std::optional<double> max_relmse;
   std::optional<std::string> help;
 };
-
-// An output must be neither an input nor the other output.
-void check_distinct(std::vector<std::string> taken, const std::vector<std::string>& outputs) {
-  const auto place = [](const std::string& path) {
-    return std::filesystem::weakly_canonical(path).string();
-  };
-  for (const std::string& output : outputs) {
-    if (output.empty()) continue;
-    for (const std::string& other : taken)
-      if (!other.empty() && place(other) == place(output))
-        throw UsageError(output + ": would be overwritten: it is named twice");
-    taken.push_back(output);
-  }
-}
 
 CompareArguments parse_compare_arguments(const Arguments& arguments) {
   CompareArguments a;
@@ -61,8 +47,8 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
                    "End with exit code 1 when relMSE is above this limit, or A has pixels that are "
                    "not finite");
   options.add_text("--json", a.json, "FILE", "Write the numbers and their formulas as JSON");
-  options.add_footer("Exit codes: 0 good, 1 above the limit, 2 usage, 3 unreadable or of different "
-                     "sizes, 4 cannot write.\n");
+  options.add_footer("1 means above the limit; 3 also pictures of different sizes, a mask without "
+                     "white pixels,\nand --z-scores of pictures without variance layers.\n");
   a.help = options.parse(arguments);
   if (a.help) return a;
   if (a.reference.empty()) throw_usage("two pictures are needed");
@@ -104,6 +90,11 @@ int compare_command(const Arguments& arguments) {
                               masked_mean(flip_map(test, reference), mask),
                               z_scores(test, reference, mask),
                               expected_scores(test, reference)};
+  if (comparison.metrics.pixels == 0)
+    throw InputError("no pixel counts: all are outside of the mask or not finite");
+  std::optional<std::string> z_bytes;
+  if (!a.z_scores.empty())
+    z_bytes = encode_image(z_score_picture(test, reference), ImageFormat::exr);
   std::optional<OutputFile> diff, z_picture, json;
   if (!a.diff.empty()) diff.emplace(a.diff);
   if (!a.z_scores.empty()) z_picture.emplace(a.z_scores);
@@ -116,7 +107,7 @@ int compare_command(const Arguments& arguments) {
     diff->commit();
   }
   if (z_picture) {
-    z_picture->write(encode_image(z_score_picture(test, reference), ImageFormat::exr));
+    z_picture->write(*z_bytes);
     z_picture->commit();
   }
   if (json) {

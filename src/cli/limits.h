@@ -1,14 +1,14 @@
 #pragma once
-// What numbers on the command line may be.
+// What else numbers on the command line may be, and the command line's default of threads.
 
 #include <algorithm>
 #include <cstdint>
 #include <thread>
 
+#include "raytracing/scene/limits.h"
+
 namespace raytracing {
 
-inline constexpr int kMaxImageSize = 65536;
-inline constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
 inline constexpr std::uint64_t kMaxReplicates = 65536;
 inline constexpr int kMaxThreads = 1024;
 inline constexpr int kMaxLineRays = 65536;

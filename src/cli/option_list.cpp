@@ -83,7 +83,12 @@ std::optional<std::string> OptionList::parse(const Arguments& arguments) {
   return std::nullopt;
 }
 
-std::string OptionList::help() const { return app_->help() + footer_; }
+std::string OptionList::help() const {
+  return app_->help() +
+         "Exit codes: 0 good, 1 a check failed or an unexpected fault, 2 usage, 3 bad input,\n"
+         "4 an output cannot be written, 128 + N stopped by signal N.\n" +
+         footer_;
+}
 
 std::vector<std::string> OptionList::names() const {
   std::vector<std::string> result;

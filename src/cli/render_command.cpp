@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 
 #include "commands.h"
+#include "output_paths.h"
 #include "raytracing/cli/app.h"
 #include "raytracing/io/file.h"
 #include "render_options.h"
@@ -31,11 +33,20 @@ struct Outputs {
   std::vector<OutputFile> pictures;
   std::optional<OutputFile> stats;
 
-  explicit Outputs(const RenderArguments& a) {
+  Outputs(const RenderArguments& a, const SceneFile& file) {
     std::vector<std::string> names = a.outputs;
     if (names.empty()) names.push_back(std::filesystem::path(a.scene).stem().string() + ".png");
+    std::vector<std::string> inputs = file.assets, all = names;
+    inputs.push_back(a.scene);
+    all.push_back(a.stats);
+    check_distinct(inputs, all);
     for (const std::string& name : names) pictures.emplace_back(name);
     if (!a.stats.empty()) stats.emplace(a.stats);
+    const auto is_exr = [](const std::string& name) {
+      return image_format(name) == ImageFormat::exr;
+    };
+    if (a.variance && std::none_of(names.begin(), names.end(), is_exr))
+      fmt::print(stderr, "warning: --variance: no .exr among the outputs to hold it\n");
   }
 
   void write(const RenderRecord& record, bool variance, bool quiet) {
@@ -65,7 +76,10 @@ void print_result(const RenderRecord& r, bool quiet) {
   if (r.result.non_finite_samples > 0)
     fmt::print(stderr, "warning: {} of {} samples were not finite; they count as black\n",
                r.result.non_finite_samples, r.result.paths);
-  if (!r.result.complete) fmt::print(stderr, "stopped early: the picture is incomplete\n");
+  if (!r.result.complete)
+    fmt::print(stderr, "stopped early: {} of {} samples taken; the picture is incomplete\n",
+               r.result.paths,
+               o.spp * static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height));
 }
 
 int render_and_write(const RenderArguments& a, const RenderOptions& options,
@@ -106,7 +120,7 @@ int render_command(const Arguments& arguments) {
   const StopOnSignal signals;  // before there are temporary files to leave behind
   const RenderOptions options = render_options(a, file);
   std::optional<Outputs> outputs;
-  if (!a.replay) outputs.emplace(a);
+  if (!a.replay) outputs.emplace(a, file);
   const Stopwatch build_time;
   const Scene scene(std::move(file.scene), a.threads, options.shade.method->asks_segments);
   const double build_seconds = build_time.seconds();

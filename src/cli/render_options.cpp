@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <filesystem>
+
 #include "build_info.h"
 #include "limits.h"
 #include "option_list.h"
@@ -31,6 +34,13 @@ RenderArguments::Replay parse_replay(const std::string& text) {
           number(last + 1, text.size(), kMaxSpp - 1)};
 }
 
+// A word that names no file may be meant as a subcommand. What is wrong with it, or "".
+std::string fault_of_scene_name(const std::string& name) {
+  if (name.find_first_of("./") != std::string::npos || std::filesystem::exists(name)) return "";
+  return fmt::format("{}: no such scene file or subcommand; the nearest subcommand is {}", name,
+                     nearest_subcommand(name));
+}
+
 // Fills `a`, and the two switches that ask for texts.
 struct RenderOptionList : OptionList {
   RenderArguments& a;
@@ -45,7 +55,10 @@ struct RenderOptionList : OptionList {
     add_picture_options();
     add_sampling_options();
     add_report_options();
-    refuse_extra_with([this] { return "one scene file is enough, and it is " + a.scene; });
+    refuse_extra_with([this] {
+      const std::string fault = fault_of_scene_name(a.scene);
+      return fault.empty() ? "one scene file is enough, and it is " + a.scene : fault;
+    });
     add_footer(subcommands_text());
     add_footer("Light sampling methods:\n" + methods_text());
   }
@@ -72,9 +85,11 @@ struct RenderOptionList : OptionList {
                "is that between the group means over N, which is honest for sobol too; a 95 % "
                "interval takes Student's t with N-1 degrees of freedom (2.36 for 8, 2.13 for 16). "
                "The picture is a little noisier with sobol than without");
-    add_choice("--reuse", {"1", "2", "4", "8"},
+    add_parsed("--reuse", "N",
                [this](const std::string& text) {
                  a.reuse = static_cast<int>(whole_number("--reuse", text, 1, 8));
+                 if (!std::has_single_bit(static_cast<unsigned>(a.reuse)))
+                   throw UsageError("--reuse: " + text + " is not 1, 2, 4 or 8");
                },
                fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
                            "(none), 2, 4 or 8; default {}. Unbiased, and --variance stays right for "
@@ -130,6 +145,8 @@ RenderArguments parse_render_arguments(const Arguments& arguments) {
   if (options.version) a.text = version_text();
   if (a.text) return a;
   if (a.scene.empty()) throw_usage("no scene file given");
+  const std::string fault = fault_of_scene_name(a.scene);
+  if (!fault.empty()) throw InputError(fault);
   for (const std::string& output : a.outputs) image_format(output);
   return a;
 }

@@ -72,6 +72,7 @@ ImageMetadata metadata(const RenderRecord& r) {
       {"maxDepth", depth ? std::to_string(*depth) : "unlimited"},
       {"threads", static_cast<std::int64_t>(r.options.threads)},
       {"renderSeconds", r.result.render_seconds},
+      {"paths", whole_number(r.result.paths)},
       {"nonFiniteSamples", static_cast<std::int64_t>(r.result.non_finite_samples)},
       {"nonFiniteByCause", by_cause(r.result)},
       {"escapedRays", whole_number(r.result.rays.escaped)},

@@ -44,8 +44,9 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
   const bool finite =
       std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
   if (!finite) out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
-  return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays\n", text(radiance),
-                           visibility.counts().closest, visibility.counts().shadow);
+  return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries\n",
+                           text(radiance), visibility.counts().closest,
+                           visibility.counts().shadow, visibility.counts().segments);
 }
 
 }  // namespace raytracing

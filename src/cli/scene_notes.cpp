@@ -18,7 +18,7 @@ void print_load_report(const LoadReport& report, const SceneFile& scene, bool qu
   const std::uint64_t repaired = report.count(LoadReport::Severity::repaired);
   const std::uint64_t dropped = report.count(LoadReport::Severity::dropped);
   if (!quiet)
-    fmt::print(stderr, "loaded {} files: {} repaired, {} dropped, {} ignored\n",
+    fmt::print(stderr, "loaded {} files: records: {} repaired, {} dropped, {} ignored\n",
                scene.assets.size() + 1, repaired, dropped,
                report.count(LoadReport::Severity::ignored));
   if (strict && repaired + dropped > 0)

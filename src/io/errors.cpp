@@ -3,14 +3,6 @@
 namespace raytracing {
 namespace {
 
-// File names and quoted text may hold line breaks; a message must not.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return text;
-}
-
 // What a file holds, or a file's name, may be long: the middle is left out.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kLongest = 1000, kBegin = 600, kEnd = 300;
@@ -24,6 +16,13 @@ std::string with_place(const TextLocation& where, const std::string& message) {
 }
 
 }  // namespace
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  return text;
+}
 
 std::string to_string(const TextLocation& where) {
   std::string text = where.file;

@@ -10,6 +10,7 @@
 #include "raytracing/io/file.h"
 #include "raytracing/io/nearest_name.h"
 #include "raytracing/scene/camera.h"
+#include "raytracing/scene/limits.h"
 #include "toml_reader.h"
 
 namespace raytracing {
@@ -28,7 +29,7 @@ using SurfaceIndices = std::map<std::string, std::uint32_t>;
 
 void read_film(const TomlTable& film, SceneFile& file) {
   const auto size = [&](const char* key, int otherwise) {
-    return static_cast<int>(film.integer(key, 1, 65536).value_or(otherwise));
+    return static_cast<int>(film.integer(key, 1, kMaxImageSize).value_or(otherwise));
   };
   file.width = size("width", file.width);
   file.height = size("height", file.height);
@@ -70,7 +71,7 @@ void check_camera(const CameraDescription& description, int width, int height,
 
 void read_render(const TomlTable& render, const std::vector<std::string>& light_sampling_names,
                  SceneFile& file) {
-  file.spp = render.integer("spp", 1, std::numeric_limits<std::int64_t>::max()).value_or(file.spp);
+  file.spp = render.integer("spp", 1, static_cast<std::int64_t>(kMaxSpp)).value_or(file.spp);
   file.light_sampling =
       render.one_of("light_sampling", light_sampling_names).value_or(file.light_sampling);
 }

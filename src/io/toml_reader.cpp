@@ -26,14 +26,6 @@ std::string describe(const toml::node& node) {
   return node.is_table() ? "a table" : "a date or time";
 }
 
-/// Messages are one line, whatever the input holds.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return text;
-}
-
 bool is_continuation_byte(char c) {
   return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
@@ -48,7 +40,7 @@ TomlDocument::TomlDocument(std::string_view text, std::string file)
   try {
     root_ = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw InputError(location(error.source().begin), one_line(std::string(error.description())));
+    throw InputError(location(error.source().begin), std::string(error.description()));
   }
 }
 
@@ -90,8 +82,8 @@ void TomlTable::refuse_unknown(const TomlKeys& keys) const {
   if (!first) return;
   throw InputError(
       document_->location(first->source().begin),
-      one_line(fmt::format("unknown key '{}'; the nearest known key is '{}'",
-                           full_name(first->str()), full_name(nearest_name(first->str(), known)))));
+      fmt::format("unknown key '{}'; the nearest known key is '{}'", full_name(first->str()),
+                  full_name(nearest_name(first->str(), known))));
 }
 
 std::string TomlTable::full_name(std::string_view key) const {
@@ -103,13 +95,13 @@ TextLocation TomlTable::where(std::string_view key) const {
 }
 
 InputError TomlTable::error(std::string_view key, const std::string& message) const {
-  return {where(key), one_line(fmt::format("{}: {}", full_name(key), message))};
+  return {where(key), fmt::format("{}: {}", full_name(key), message)};
 }
 
 InputError TomlTable::type_error(const std::string& name, const toml::node& node,
                                  const std::string& expected) const {
   return {document_->location(node.source().begin),
-          one_line(fmt::format("{}: expected {}, found {}", name, expected, describe(node)))};
+          fmt::format("{}: expected {}, found {}", name, expected, describe(node))};
 }
 
 std::optional<std::string> TomlTable::string(std::string_view key) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "raytracing/io/errors.h"
@@ -83,7 +84,10 @@ PixelMask read_mask(const std::string& path, int width, int height) {
   if (mask.width != width || mask.height != height)
     throw InputError(fmt::format("{}: {}x{} pixels, but the pictures have {}x{}", path, mask.width,
                                  mask.height, width, height));
-  return to_mask(mask);
+  PixelMask result = to_mask(mask);
+  if (std::find(result.begin(), result.end(), 1) == result.end())
+    throw InputError(path + ": no pixel of the mask is white, so that none would count");
+  return result;
 }
 
 std::string relmse_formula() {

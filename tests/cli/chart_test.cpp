@@ -11,8 +11,6 @@
 namespace raytracing {
 namespace {
 
-using Names = std::vector<std::string>;
-
 /// A small chart of two methods, with more options.
 Names arguments(const Names& more) {
   Names result{"chart", kCornell, "--out=c", "--width=12", "--height=12", "--max-depth=1",

@@ -10,14 +10,6 @@
 namespace raytracing {
 namespace {
 
-using Names = std::vector<std::string>;
-
-void expect_one_line(const RunResult& run, int code, const std::string& line) {
-  EXPECT_EQ(run.exit_code, code);
-  EXPECT_EQ(run.err, "Raytracing: " + line + "\n");
-  EXPECT_EQ(run.out, "");
-}
-
 TEST(CompareExit, TheLimitDecidesTheExitCode) {
   const OneChannelOff folder;
   EXPECT_EQ(folder.compare({"a.exr", "b.exr", "--max-relmse", "0.0413"}).exit_code, 0);
@@ -54,14 +46,27 @@ TEST(CompareExit, NothingIsOverwrittenByAnother) {
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
 }
 
-// Without a pixel that counts there is no error to be within a limit.
-TEST(CompareExit, AMaskThatLeavesNothingPassesNoLimit) {
+// Without a pixel that counts there is no error to tell.
+TEST(CompareExit, PixelsMustCount) {
   const OneChannelOff folder;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
   folder.write("none.png", rgb_picture(2, 1, {0, 0, 0, 0, 0, 0}));
-  const RunResult run =
-      folder.compare({"a.exr", "b.exr", "--mask", "none.png", "--max-relmse", "1"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.out.find(" of 0 pixels\n"), std::string::npos) << run.out;
+  folder.write("nan.exr", rgb_picture(2, 1, {nan, 0, 0, 0, 0, nan}));
+  expect_one_line(folder.compare({"a.exr", "b.exr", "--mask", "none.png"}), 3,
+                  "none.png: no pixel of the mask is white, so that none would count");
+  expect_one_line(folder.compare({"nan.exr", "b.exr", "--json", "j"}), 3,
+                  "no pixel counts: all are outside of the mask or not finite");
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "nan.exr", "none.png"}));
+}
+
+TEST(CompareExit, ZScoresThatCannotBeAreToldBeforeAnythingIsWritten) {
+  const OneChannelOff folder;
+  const RunResult run = folder.compare(
+      {"a.exr", "b.exr", "--diff", "d.png", "--z-scores", "z.exr", "--json", "j"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(lines_of(run.err), 1u) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
 }
 
 TEST(CompareExit, HeadersSpeakAgainstTheComparison) {

@@ -14,8 +14,6 @@
 namespace raytracing {
 namespace {
 
-using Names = std::vector<std::string>;
-
 TEST(Compare, PrintsNumbersWithTheirFormulas) {
   const OneChannelOff folder;
   const RunResult run = folder.compare({"a.exr", "b.exr"});

@@ -8,19 +8,15 @@
 namespace raytracing {
 namespace {
 
-using Names = std::vector<std::string>;
-
-void expect_one_line(const RunResult& run, int code, const std::string& line) {
-  EXPECT_EQ(run.exit_code, code);
-  EXPECT_EQ(run.err, "Raytracing: " + line + "\n");
-  EXPECT_EQ(run.out, "");
-}
-
 TEST(BadInput, ASceneThatIsNotThere) {
   const CliFolder folder;
   expect_one_line(folder.run({"nope.toml"}), 3, "nope.toml: No such file or directory");
   expect_one_line(folder.run({"--scene", "."}), 3, ".: Is a directory");
-  expect_one_line(folder.run({"rendr", "--spp", "1"}), 3, "rendr: No such file or directory");
+  expect_one_line(folder.run({"rendr", "--spp", "1"}), 3,
+                  "rendr: no such scene file or subcommand; the nearest subcommand is render");
+  expect_one_line(folder.run({"comapre", "a.exr", "b.exr"}), 2,
+                  "a.exr: comapre: no such scene file or subcommand; the nearest subcommand is "
+                  "compare (--help lists all options)");
   EXPECT_EQ(folder.names(), Names{});
 }
 
@@ -110,6 +106,31 @@ RunResult long_render(const CliFolder& folder, std::vector<std::string> outputs)
   options.limit = 20;
   outputs.insert(outputs.begin(), kCornell);
   return run_program(outputs, options);
+}
+
+TEST(BadOutput, NeverReplacesAnInputOrAnotherOutput) {
+  const CliFolder folder;
+  folder.folder.write("s.toml", "[camera]\norigin = [0,0,1]\ntarget = [0,0,0]\n[[models]]\n"
+                                "obj = 'm.obj'\n");
+  folder.folder.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.folder.write("m.mtl", "newmtl a\n");
+  const Names before = folder.names();
+  for (const Names& outputs : {Names{"--stats", "s.toml"}, {"--stats", "./m.obj"},
+                               {"--stats", "m.mtl"}, {"-o", "a.png", "--stats", "./a.png"},
+                               {"-o", "a.png", "-o", "./a.png"}, {"--stats", "s.png"}}) {
+    Names arguments{"s.toml", "--quiet"};
+    arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+    expect_one_line(folder.run(arguments), 2,
+                    outputs.back() + ": would be overwritten: it is named twice");
+  }
+  EXPECT_EQ(folder.names(), before);
+}
+
+TEST(BadOutput, LineBreaksInNamesDoNotBreakTheMessage) {
+  const CliFolder folder;
+  const RunResult run = folder.render({"-o", "a\nb.jpg"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(lines_of(run.err), 1u) << run.err;
 }
 
 TEST(BadOutput, IsFoundBeforeRendering) {

@@ -8,8 +8,6 @@
 namespace raytracing {
 namespace {
 
-using Names = std::vector<std::string>;
-
 const std::string kScene =
     "[film]\nwidth = 4\nheight = 4\n[camera]\norigin = [0,0,2]\ntarget = [0,0,0]\n";
 const std::string kSquare = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";

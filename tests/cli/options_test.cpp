@@ -225,10 +225,12 @@ TEST(Options, LeadingZerosAreDecimal) {
 }
 
 TEST(Options, FullStandardOutputIsAnError) {
-  const RunResult run =
-      run_any({"/bin/sh", "-c", std::string(RAYTRACING_PROGRAM) + " --list-methods > /dev/full"});
-  EXPECT_EQ(run.exit_code, 4);
-  EXPECT_EQ(run.err, "Raytracing: standard output: cannot be written\n");
+  for (const std::string option : {"--list-methods", "--help", "chart --help"}) {
+    const RunResult run = run_any(
+        {"/bin/sh", "-c", std::string(RAYTRACING_PROGRAM) + " " + option + " > /dev/full"});
+    EXPECT_EQ(run.exit_code, 4) << option;
+    EXPECT_EQ(run.err, "Raytracing: standard output: cannot be written\n") << option;
+  }
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace raytracing {
 namespace {
 
-using Names = std::vector<std::string>;
-
 TEST(Outputs, DefaultNameIsTheScenesInTheWorkingDirectory) {
   const CliFolder folder;
   const RunResult run = folder.render({});

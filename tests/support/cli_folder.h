@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -15,6 +17,8 @@ namespace raytracing {
 
 /// The Cornell box, and options that render it in no time.
 inline const std::string kCornell = std::string(RAYTRACING_SOURCE_DIR) + "/scenes/cornell.toml";
+
+using Names = std::vector<std::string>;
 
 /// An empty working directory for runs of the program.
 class CliFolder {
@@ -54,6 +58,13 @@ class CliFolder {
 
   TempDir folder;
 };
+
+/// The run ended with this code and said this line, and nothing else.
+inline void expect_one_line(const RunResult& run, int code, const std::string& line) {
+  EXPECT_EQ(run.exit_code, code);
+  EXPECT_EQ(run.err, "Raytracing: " + line + "\n");
+  EXPECT_EQ(run.out, "");
+}
 
 inline std::size_t lines_of(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

@@ -15,6 +15,10 @@ struct TextLocation {
 /// "file:line:column", leaving out what is not known.
 std::string to_string(const TextLocation& where);
 
+/// The text with a space in place of each line break and other control character: file names and
+/// quoted text may hold them, a message must not.
+std::string one_line(std::string text);
+
 /// Bad input (exit code 3). what() is one line, with the place in front where there is one.
 class InputError : public std::runtime_error {
  public:
