@@ -4,38 +4,49 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace raytracing {
 
+// Embree hands these on as void*: each begins with what tells the two kinds apart.
 struct SegmentVisibility::TreeBuilder::Branch {
   bool leaf;
   unsigned count;
-  Branch* children[kWidth];           // of an inner branch
-  RTCBounds bounds[kWidth];           // of the children
-  std::uint32_t triangles[kWidth];    // of a leaf
 
-  static void* make(RTCThreadLocalAllocator allocator, bool is_leaf, unsigned n) {
-    void* memory = rtcThreadLocalAlloc(allocator, sizeof(Branch), alignof(Branch));
-    Branch* branch = new (memory) Branch;
+  template <class Kind>
+  static Kind* make(RTCThreadLocalAllocator allocator, bool is_leaf, std::size_t n) {
+    static_assert(std::is_base_of_v<Branch, Kind>);
+    Kind* branch = new (rtcThreadLocalAlloc(allocator, sizeof(Kind), alignof(Kind))) Kind;
     branch->leaf = is_leaf;
-    branch->count = n;
+    branch->count = static_cast<unsigned>(n);
     return branch;
   }
+};
+
+struct SegmentVisibility::TreeBuilder::Inner : Branch {
+  Branch* children[kWidth];
+  RTCBounds bounds[kWidth];  // of the children
+
   static void* make_inner(RTCThreadLocalAllocator allocator, unsigned n, void*) {
-    return make(allocator, false, n);
+    return static_cast<Branch*>(make<Inner>(allocator, false, n));
   }
-  static void* make_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
-                         std::size_t n, void*) {
-    Branch* leaf = static_cast<Branch*>(make(allocator, true, static_cast<unsigned>(n)));
-    for (std::size_t i = 0; i < n; ++i) leaf->triangles[i] = primitives[i].primID;
-    return leaf;
-  }
+  static Inner& of(void* branch) { return static_cast<Inner&>(*static_cast<Branch*>(branch)); }
   static void set_children(void* node, void** children, unsigned n, void*) {
-    for (unsigned i = 0; i < n; ++i)
-      static_cast<Branch*>(node)->children[i] = static_cast<Branch*>(children[i]);
+    for (unsigned i = 0; i < n; ++i) of(node).children[i] = static_cast<Branch*>(children[i]);
   }
   static void set_bounds(void* node, const RTCBounds** bounds, unsigned n, void*) {
-    for (unsigned i = 0; i < n; ++i) static_cast<Branch*>(node)->bounds[i] = *bounds[i];
+    for (unsigned i = 0; i < n; ++i) of(node).bounds[i] = *bounds[i];
+  }
+};
+
+struct SegmentVisibility::TreeBuilder::Leaf : Branch {
+  std::uint32_t triangles[kWidth];
+
+  static void* make_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
+                         std::size_t n, void*) {
+    Leaf* leaf = make<Leaf>(allocator, true, n);
+    for (std::size_t i = 0; i < n; ++i) leaf->triangles[i] = primitives[i].primID;
+    return static_cast<Branch*>(leaf);
   }
 };
 
@@ -55,7 +66,8 @@ SegmentVisibility::TreeBuilder::TreeBuilder(SegmentVisibility& target,
                                             std::span<const std::uint32_t> group)
     : target_(target), positions_(positions), triangles_(triangles), group_(group) {}
 
-void SegmentVisibility::TreeBuilder::build(int threads) {
+const SegmentVisibility::TreeBuilder::Branch& SegmentVisibility::TreeBuilder::make_branches(
+    RTCBVH bvh) const {
   std::vector<RTCBuildPrimitive> primitives;
   primitives.reserve(triangles_.size());
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -63,10 +75,6 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
     primitives.push_back(to_primitive(positions_[c[0]], positions_[c[1]], positions_[c[2]],
                                       static_cast<unsigned>(i)));
   }
-  const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(
-      rtcNewDevice(("threads=" + std::to_string(threads)).c_str()), rtcReleaseDevice);
-  const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()),
-                                                                rtcReleaseBVH);
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
   arguments.byteSize = sizeof(arguments);
   arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
@@ -75,17 +83,30 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
   arguments.minLeafSize = 1;
   arguments.maxLeafSize = kWidth;
   arguments.traversalCost = 4;  // of a node, in blocks: fuller blocks, measured by cost_study
-  arguments.bvh = bvh.get();
+  arguments.bvh = bvh;
   arguments.primitives = primitives.data();
   arguments.primitiveCount = primitives.size();
   arguments.primitiveArrayCapacity = primitives.capacity();
-  arguments.createNode = Branch::make_inner;
-  arguments.setNodeChildren = Branch::set_children;
-  arguments.setNodeBounds = Branch::set_bounds;
-  arguments.createLeaf = Branch::make_leaf;
+  arguments.createNode = Inner::make_inner;
+  arguments.setNodeChildren = Inner::set_children;
+  arguments.setNodeBounds = Inner::set_bounds;
+  arguments.createLeaf = Leaf::make_leaf;
   const auto* root = static_cast<const Branch*>(rtcBuildBVH(&arguments));
   if (root == nullptr) throw std::runtime_error("Embree: the segment tree could not be built");
-  if (lay_out(*root) & kLeaf) {  // a walk begins at a node
+  return *root;
+}
+
+void SegmentVisibility::TreeBuilder::build(int threads) {
+  const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(
+      rtcNewDevice(("threads=" + std::to_string(threads)).c_str()), rtcReleaseDevice);
+  const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()),
+                                                                rtcReleaseBVH);
+  const Branch& root = make_branches(bvh.get());
+  Counts counts;
+  count(root, counts);
+  target_.nodes_.reserve(std::max<std::size_t>(counts.inner, 1));
+  target_.blocks_.reserve(counts.leaves);
+  if (lay_out(root) & kLeaf) {  // a walk begins at a node
     Node node{};
     node.count = 1;
     node.children[0] = kLeaf;
@@ -98,9 +119,17 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
   }
 }
 
+void SegmentVisibility::TreeBuilder::count(const Branch& branch, Counts& counts) {
+  ++(branch.leaf ? counts.leaves : counts.inner);
+  if (branch.leaf) return;
+  for (unsigned i = 0; i < branch.count; ++i)
+    count(*static_cast<const Inner&>(branch).children[i], counts);
+}
+
 // Depth first, a node before its children: neighbours in space are neighbours in memory.
 std::uint32_t SegmentVisibility::TreeBuilder::lay_out(const Branch& branch) {
-  if (branch.leaf) return kLeaf | add_block(branch);
+  if (branch.leaf) return kLeaf | add_block(static_cast<const Leaf&>(branch));
+  const auto& inner = static_cast<const Inner&>(branch);
   const auto index = static_cast<std::uint32_t>(target_.nodes_.size());
   target_.nodes_.emplace_back();
   Node node{};
@@ -108,18 +137,18 @@ std::uint32_t SegmentVisibility::TreeBuilder::lay_out(const Branch& branch) {
   for (unsigned i = 0; i < kWidth; ++i) {
     const bool present = i < branch.count;
     const RTCBounds none{1, 1, 1, 0, -1, -1, -1, 0};
-    const RTCBounds& b = present ? branch.bounds[i] : none;
+    const RTCBounds& b = present ? inner.bounds[i] : none;
     const float corners[2][3] = {{b.lower_x, b.lower_y, b.lower_z},
                                  {b.upper_x, b.upper_y, b.upper_z}};
     for (int side = 0; side < 2; ++side)
       for (int axis = 0; axis < 3; ++axis) node.bounds[side][axis][i] = corners[side][axis];
-    if (present) node.children[i] = lay_out(*branch.children[i]);
+    if (present) node.children[i] = lay_out(*inner.children[i]);
   }
   target_.nodes_[index] = node;
   return index;
 }
 
-std::uint32_t SegmentVisibility::TreeBuilder::add_block(const Branch& leaf) {
+std::uint32_t SegmentVisibility::TreeBuilder::add_block(const Leaf& leaf) {
   Block block{};
   for (unsigned i = 0; i < kWidth; ++i) {
     const std::uint32_t triangle = leaf.triangles[i < leaf.count ? i : 0];

@@ -18,11 +18,19 @@ class SegmentVisibility::TreeBuilder {
   void build(int threads);
 
  private:
-  // What Embree's builder makes: lives in its allocator until it is laid out.
+  // What Embree's builder makes: lives in its allocator until it is laid out. A Branch is an Inner
+  // or a Leaf, which is far smaller.
   struct Branch;
+  struct Inner;
+  struct Leaf;
+  struct Counts {
+    std::size_t inner = 0, leaves = 0;
+  };
 
+  const Branch& make_branches(RTCBVH bvh) const;
+  static void count(const Branch& branch, Counts& counts);
   std::uint32_t lay_out(const Branch& branch);
-  std::uint32_t add_block(const Branch& leaf);
+  std::uint32_t add_block(const Leaf& leaf);
 
   SegmentVisibility& target_;
   std::span<const Vec3> positions_;

@@ -22,9 +22,15 @@ std::string beside(const std::string& from, const std::string& name) {
 
 }  // namespace
 
+void ModelLoader::load(std::span<const ModelRequest> requests) {
+  for (const ModelRequest& request : requests) ++uses_[request.path];
+  for (const ModelRequest& request : requests) load(request);
+}
+
 void ModelLoader::load(const ModelRequest& request) {
   Model& source = model(request);
-  PolygonMesh mesh = source.obj.mesh;
+  const bool last = --source.uses_left == 0;
+  PolygonMesh mesh = last ? std::move(source.obj.mesh) : source.obj.mesh;
   apply(request.transform, mesh);
   if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) {
     throw InputError(request.where, "the transform moves vertices beyond the range of a float");
@@ -55,7 +61,7 @@ ModelLoader::Model& ModelLoader::model(const ModelRequest& request) {
     throw InputError(request.where, error.what());
   }
   ObjModel obj = parse_obj(text, request.path, report_);
-  return models_.emplace(request.path, Model{std::move(obj), {}}).first->second;
+  return models_.emplace(request.path, Model{std::move(obj), {}, uses_[request.path]}).first->second;
 }
 
 ModelLoader::Library* ModelLoader::library(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,19 +29,21 @@ class ModelLoader {
   ModelLoader(SceneFile& file, LoadReport& report) : file_(file), report_(report) {}
 
   /// Throws InputError.
-  void load(const ModelRequest& request);
+  void load(std::span<const ModelRequest> requests);
 
  private:
   /// An OBJ file and, once some model needs them, the surfaces of its materials.
   struct Model {
     ObjModel obj;
     std::optional<std::vector<std::uint32_t>> surfaces;
+    std::size_t uses_left;
   };
   struct Library {
     std::vector<MtlMaterial> materials;
     std::map<std::string, std::uint32_t> surfaces;  ///< of the materials used so far, by name
   };
 
+  void load(const ModelRequest& request);
   std::string read_asset(const std::string& path);
   Model& model(const ModelRequest& request);
   /// Null when there is no such file.
@@ -53,6 +56,7 @@ class ModelLoader {
 
   SceneFile& file_;
   LoadReport& report_;
+  std::map<std::string, std::size_t> uses_;  // of each OBJ file
   std::map<std::string, Model> models_;
   std::map<std::string, Library> libraries_;
   std::optional<std::uint32_t> default_surface_;

@@ -192,8 +192,7 @@ SceneFile parse_scene(std::string_view text, const std::string& path,
   for (const TomlTable& table : root.tables("models", kModelKeys)) {
     requests.push_back(read_model(table, path, surfaces));
   }
-  ModelLoader loader(file, report);
-  for (const ModelRequest& request : requests) loader.load(request);
+  ModelLoader(file, report).load(requests);
   return file;
 }
 

@@ -44,11 +44,17 @@ Scene::Builder::Builder(SceneDescription description) : camera(description.camer
     spheres.push_back({sphere.center, sphere.radius});
     sphere_materials.push_back(sphere.surface);
   }
-  std::size_t triangle_count = 0;
-  for (const PolygonMesh& mesh : description.meshes)
-    triangle_count += mesh.corners.size() - 2 * mesh.faces.size();
+  std::size_t triangle_count = 0, smooth_count = 0, position_count = 0;
+  for (const PolygonMesh& mesh : description.meshes) {
+    const std::size_t count = mesh.corners.size() - 2 * mesh.faces.size();
+    triangle_count += count;
+    if (!mesh.normals.empty()) smooth_count += count;
+    position_count += mesh.positions.size();
+  }
   records.reserve(triangle_count);
   triangles.reserve(triangle_count);
+  smooth_normals.reserve(smooth_count);
+  positions.reserve(position_count + 1);  // EmbreeScene adds one
   for (PolygonMesh& mesh : description.meshes) {
     add_mesh(mesh, description.surfaces);
     mesh = {};  // large scenes need the room
