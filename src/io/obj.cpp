@@ -88,6 +88,10 @@ void ObjParser::record() {
   cursor_.skip_blanks();
   if (cursor_.at_record_end()) return cursor_.finish_record();
   const TextPlace where = cursor_.place();
+  // Most records, without a look for the keyword's end.
+  if (cursor_.accept_keyword('f')) return face(where);
+  if (cursor_.accept_keyword('v')) return vertex(where);
+  if (cursor_.accept_keyword('v', 'n')) return vertex_normal(where);
   const std::string_view keyword = cursor_.token();
   if (keyword == "v") return vertex(where);
   if (keyword == "f") return face(where);

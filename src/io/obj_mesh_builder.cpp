@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 #include "raytracing/geometry/triangulate.h"
 
@@ -71,6 +72,7 @@ void ObjMeshBuilder::add_normal(Vec3 normal, const TextPlace& where) {
 }
 
 void ObjMeshBuilder::end_face(std::uint32_t material, const TextPlace& where) {
+  if (is_plain_triangle()) return add_face(material);
   const bool repeated = remove_repeated_corners();
   const std::size_t count = mesh_.corners.size() - first_corner_;
   const bool late = is_late();
@@ -87,9 +89,32 @@ void ObjMeshBuilder::end_face(std::uint32_t material, const TextPlace& where) {
   }
   if (repeated) tally_.note(Severity::repaired, "face with a repeated corner", where);
   if (late) late_faces_.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), where});
+  add_face(material);
+}
+
+void ObjMeshBuilder::add_face(std::uint32_t material) {
+  const std::size_t count = mesh_.corners.size() - first_corner_;
   mesh_.faces.push_back(
       {static_cast<std::uint32_t>(first_corner_), static_cast<std::uint32_t>(count), material});
   first_corner_ = mesh_.corners.size();
+}
+
+// Whether the face is a triangle of stated vertices that has area for certain: of which a component
+// of the cross product exceeds what rounding to double may leave of nothing.
+bool ObjMeshBuilder::is_plain_triangle() const {
+  if (mesh_.corners.size() != first_corner_ + 3) return false;
+  const PolygonMesh::Corner* const corners = &mesh_.corners[first_corner_];
+  const std::size_t stated = mesh_.positions.size();
+  for (int i = 0; i < 3; ++i)
+    if (corners[i].position >= stated) return false;
+  const DVec3 a(mesh_.positions[corners[0].position]);
+  const DVec3 u = DVec3(mesh_.positions[corners[1].position]) - a;
+  const DVec3 v = DVec3(mesh_.positions[corners[2].position]) - a;
+  const auto differ = [](double p, double q) {
+    return std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q));
+  };
+  return differ(u.y * v.z, u.z * v.y) || differ(u.z * v.x, u.x * v.z) ||
+         differ(u.x * v.y, u.y * v.x);
 }
 
 // Leaves one of each run of corners at the same vertex; the last corner stands before the first.

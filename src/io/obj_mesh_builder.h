@@ -39,6 +39,8 @@ class ObjMeshBuilder {
     TextPlace where;
   };
 
+  void add_face(std::uint32_t material);
+  bool is_plain_triangle() const;
   bool remove_repeated_corners();
   bool is_late() const;
   bool has_area(std::size_t first, std::size_t count);

@@ -58,6 +58,13 @@ void TextCursor::skip_record() {
   skip_line_end();
 }
 
+std::uint64_t TextCursor::magnitude_of_many(const char* digits, const char* end) {
+  std::uint64_t magnitude = 0;
+  for (; digits != end && magnitude < 1'000'000'000'000; ++digits)
+    magnitude = 10 * magnitude + static_cast<std::uint64_t>(*digits - '0');
+  return magnitude;
+}
+
 void TextCursor::fail(const TextPlace& where, const std::string& message) const {
   throw InputError(location(where), message);
 }

@@ -56,6 +56,19 @@ class TextCursor {
     return true;
   }
 
+  /// Takes this byte and the blank behind it if they come next.
+  bool accept_keyword(char c) {
+    if (end_ - at_ < 2 || at_[0] != c || !is_blank(at_[1])) return false;
+    at_ += 2;
+    return true;
+  }
+  /// The same for two bytes and a blank.
+  bool accept_keyword(char first, char second) {
+    if (end_ - at_ < 3 || at_[0] != first || at_[1] != second || !is_blank(at_[2])) return false;
+    at_ += 3;
+    return true;
+  }
+
   /// Takes the bytes up to the next blank or line end; may be empty.
   std::string_view token() {
     const char* const start = at_;
@@ -68,12 +81,12 @@ class TextCursor {
     const char* p = at_;
     const bool negative = p != end_ && *p == '-';
     if (p != end_ && (*p == '-' || *p == '+')) ++p;
-    if (p == end_ || !is_digit(*p)) return false;
-    std::int64_t magnitude = 0;
-    for (; p != end_ && is_digit(*p); ++p) {
-      if (magnitude < 1'000'000'000'000) magnitude = 10 * magnitude + (*p - '0');
-    }
-    value = negative ? -magnitude : magnitude;
+    std::uint64_t magnitude = 0;
+    const char* const digits = p;
+    const long count = take_digits(p, end_, magnitude);
+    if (count == 0) return false;
+    if (count > kExactDigits) magnitude = magnitude_of_many(digits, p);
+    value = negative ? -static_cast<std::int64_t>(magnitude) : static_cast<std::int64_t>(magnitude);
     at_ = p;
     return true;
   }
@@ -119,6 +132,9 @@ class TextCursor {
     ++line_;
     line_start_ = at_;
   }
+  static constexpr long kExactDigits = 18;  // that 64 bits hold, with a sign
+  // The digits as a number, or one beyond 10^12 when it is as large.
+  static std::uint64_t magnitude_of_many(const char* digits, const char* end);
   [[noreturn]] void bad_number(const char* start, const char* what);
   [[noreturn]] void unexpected_text();
 

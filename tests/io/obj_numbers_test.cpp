@@ -66,6 +66,82 @@ TEST(ObjNumbers, NumbersAreRoundedCorrectly) {
   }
 }
 
+// An unsigned number of any form: up to 25 digits, with or without point and exponent.
+std::string random_number(std::mt19937_64& random) {
+  const auto below = [&](std::size_t n) { return static_cast<int>(random() % n); };
+  const int most = below(3) == 0 ? 25 : 9;
+  const int digits = 1 + below(static_cast<std::size_t>(most));
+  const int point = below(static_cast<std::size_t>(digits + 8));
+  std::string word;
+  for (int i = 0; i < digits; ++i) {
+    if (i == point) word += '.';
+    word += static_cast<char>('0' + (below(6) == 0 ? 0 : below(10)));
+  }
+  if (digits == point) word += '.';
+  if (below(3) == 0) word += (below(2) == 0 ? "e" : "E-") + std::to_string(below(below(2) ? 12 : 60));
+  return word;
+}
+
+// Three million numbers, against the standard library's.
+TEST(ObjNumbers, NumbersOfAnyFormAreRoundedCorrectly) {
+  std::mt19937_64 random(11);
+  std::string text, word;
+  std::vector<float> expected;
+  while (expected.size() < 3'000'000) {
+    word = random_number(random);
+    float value = 0;
+    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (result.ec != std::errc()) continue;  // out of range
+    ASSERT_EQ(result.ptr, word.data() + word.size()) << word;
+    const bool negative = random() % 2 == 0;
+    text += expected.size() % 3 == 0 ? "\nv " : " ";
+    if (negative) text += '-';
+    text += word;
+    expected.push_back(negative ? -value : value);
+  }
+  const Parsed parsed = parse(text);  // the last word ends the text
+  ASSERT_EQ(parsed.mesh().positions.size() * 3, expected.size());
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const float found = parsed.mesh().positions[i / 3][static_cast<int>(i % 3)];
+    wrong += std::bit_cast<std::uint32_t>(found) != std::bit_cast<std::uint32_t>(expected[i]);
+  }
+  EXPECT_EQ(wrong, 0u);
+}
+
+TEST(ObjNumbers, IndicesOfAnyLength) {
+  std::mt19937_64 random(12);
+  const std::uint32_t count = 200'000;
+  std::string text;
+  for (std::uint32_t i = 0; i < count; ++i)
+    text += "v " + std::to_string(i) + ' ' + std::to_string(i % 7) + " 0\n";
+  Indices expected;
+  while (expected.size() < 90'000) {
+    text += "\nf";
+    for (int corner = 0; corner < 3; ++corner) {
+      const auto vertex = static_cast<std::uint32_t>(random() % count) >> random() % 18;
+      text += std::string(" ") + (random() % 4 == 0 ? "+" : "");
+      text += std::string(random() % 3 == 0 ? random() % 30 : 0, '0') + std::to_string(vertex + 1);
+      if (random() % 2 == 0) text += "//";
+      expected.push_back(vertex);
+    }
+  }
+  const Parsed parsed = parse(text);
+  Indices expected_kept;
+  for (std::size_t i = 0; i < expected.size(); i += 3) {
+    const auto a = expected[i], b = expected[i + 1], c = expected[i + 2];
+    const auto turn = [](std::int64_t p, std::int64_t q, std::int64_t r) {
+      return (q - p) * (r % 7 - p % 7) - (r - p) * (q % 7 - p % 7);
+    };
+    if (turn(a, b, c) != 0) expected_kept.insert(expected_kept.end(), {a, b, c});
+  }
+  Indices found;
+  for (const PolygonMesh::Corner& corner : parsed.mesh().corners) found.push_back(corner.position);
+  EXPECT_EQ(found, expected_kept);
+  EXPECT_GT(found.size(), 80'000u);
+  EXPECT_LT(found.size(), expected.size());
+}
+
 TEST(ObjNumbers, BadNumbersAreRefusedWithTheirPlace) {
   EXPECT_EQ(error_of("v 0 1,5 0"),
             "x.obj:1:5: expected y, found '1,5'; decimals are written with a point");
