@@ -2,7 +2,8 @@
 # Sets up Debian 12 or 13 for this project and goes on to a first result.
 #   ./setup.sh packages   installs the packages that build and charts need
 #   ./setup.sh picture    packages, release build, Cornell Box rendered to cornell.png
-#   ./setup.sh test       packages, a browser for the report page's test, release build, all tests
+#   ./setup.sh test       packages, a browser for the report page's test, clang for .ci/fuzz,
+#                         release build, all tests
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -29,7 +30,7 @@ case "${1:-}" in
     ./build/Raytracing --scene scenes/cornell.toml --spp 16
     ;;
   test)
-    packages chromium chromium-driver python3-selenium
+    packages chromium chromium-driver python3-selenium clang libclang-rt-dev
     build
     ctest --preset release
     ;;
