@@ -10,9 +10,6 @@
 namespace raytracing {
 namespace {
 
-constexpr unsigned kTriangles = 0;  // geometry ids
-constexpr unsigned kSpheres = 1;
-
 // Embree picks AVX-512 where it can, which is slower on small scenes; AVX2 is the widest it needs.
 std::string device_options(int threads) {
   std::string options = "threads=" + std::to_string(threads);
@@ -25,23 +22,6 @@ std::string device_options(int threads) {
 void keep_first_error(void* error, RTCError /*code*/, const char* message) {
   auto& text = *static_cast<std::string*>(error);
   if (text.empty()) text = std::string("Embree: ") + message;
-}
-
-RTCRay to_embree(const Vec3& origin, const Vec3& direction, float far) {
-  RTCRay ray;
-  ray.org_x = origin.x;
-  ray.org_y = origin.y;
-  ray.org_z = origin.z;
-  ray.tnear = 0;
-  ray.dir_x = direction.x;
-  ray.dir_y = direction.y;
-  ray.dir_z = direction.z;
-  ray.time = 0;
-  ray.tfar = far;
-  ray.mask = ~0u;
-  ray.id = 0;
-  ray.flags = 0;
-  return ray;
 }
 
 const Sphere& sphere_of(void* spheres, unsigned index) {
@@ -140,23 +120,6 @@ void EmbreeScene::add_spheres() {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene_.get(), geometry, kSpheres);
   rtcReleaseGeometry(geometry);
-}
-
-std::optional<Hit> EmbreeScene::closest_hit(const Ray& ray) const {
-  RTCRayHit query;
-  query.ray = to_embree(ray.origin, ray.direction, std::numeric_limits<float>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  embree::intersect1(scene_.get(), query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const auto kind = query.hit.geomID == kTriangles ? Hit::Kind::triangle : Hit::Kind::sphere;
-  return Hit{kind, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
-}
-
-bool EmbreeScene::occluded(const Vec3& from, const Vec3& to) const {
-  RTCRay query = to_embree(from, to - from, 1.0f);
-  embree::occluded1(scene_.get(), query);
-  return query.tfar < 0;
 }
 
 unsigned EmbreeScene::occluded8(const Vec3& from, const float* x, const float* y, const float* z,

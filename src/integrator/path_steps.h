@@ -29,8 +29,9 @@ Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& 
                  std::vector<LightSample>* directions = nullptr);
 
 /// The walk over the vertices from `v`, of number `depth`, on: `radiance` and what `v` reflects to
-/// the viewer. The log must hold the step of `v`, and receives those of the vertices after it.
-Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex v, std::uint32_t depth,
+/// the viewer. The log must hold the step of `v`, and receives those of the vertices after it. `v`
+/// moves along and ends at the last of them.
+Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex& v, std::uint32_t depth,
          Rgb radiance, PathSampler& sampler, Visibility& visibility, PathLog& log);
 
 }  // namespace raytracing

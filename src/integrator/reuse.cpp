@@ -214,7 +214,7 @@ void glossy_terms(const Scene& scene, const ShadeOptions& options, SharedPath& p
   const Ray ray{y.ray_origin(), wi};
   const std::optional<Hit> hit = visibility.closest_hit(ray);
   if (!hit) return;
-  const Vertex z = scene.vertex(ray, *hit);
+  Vertex z = scene.vertex(ray, *hit);
   if (counted && z.light != kNone) {
     const AreaLight& light = scene.lights()[z.light];
     const float light_pdf =
@@ -254,8 +254,9 @@ void PathGroup::shade(std::span<SharedPath> paths, Visibility& visibility, PathL
       std::erase_if(s.terms, [](const Term& term) { return is_black(term.light); });
     } else {
       s.walk_log.steps.assign(1, {});
+      Vertex v = y;
       s.terms.assign(1, {Vec3(0.0f),
-                         walk(scene_, options_, y, 1, Rgb(0.0f), paths[j].sampler, visibility,
+                         walk(scene_, options_, v, 1, Rgb(0.0f), paths[j].sampler, visibility,
                               s.walk_log),
                          1, 0});
       if (is_black(s.terms[0].light)) continue;

@@ -52,7 +52,7 @@ Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& 
   return reflected;
 }
 
-Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex v, std::uint32_t depth,
+Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex& v, std::uint32_t depth,
          Rgb radiance, PathSampler& sampler, Visibility& visibility, PathLog& log) {
   Rgb throughput(1.0f);
   const std::uint32_t max_depth = options.max_depth.value_or(kUnlimited);
@@ -97,7 +97,7 @@ Rgb shade(const Scene& scene, const ShadeOptions& options, const Ray& ray, PathS
   log.steps.clear();
   const std::optional<Hit> hit = visibility.closest_hit(ray);
   if (!hit) return Rgb(0.0f);
-  const Vertex v = scene.vertex(ray, *hit);
+  Vertex v = scene.vertex(ray, *hit);
   const Rgb emitted = emission(scene, *options.method, v, nullptr);
   log.steps.push_back({v.position, v.ng, Rgb(1.0f), emitted, Rgb(0), v.light, 0});
   return walk(scene, options, v, 0, emitted, sampler, visibility, log);

@@ -45,45 +45,4 @@ bool Scene::faces_anything(const AreaLight& light) const {
   return false;
 }
 
-Vertex Scene::vertex(const Ray& ray, const Hit& hit) const {
-  Vertex v;
-  Vec3 ns;
-  v.light = kNone;
-  if (hit.kind == Hit::Kind::triangle) {
-    const TriangleRecord& t = triangles_[hit.index];
-    const float w = 1 - hit.u - hit.v;
-    v.position = w * t.corners[0] + hit.u * t.corners[1] + hit.v * t.corners[2];
-    v.error = t.error;
-    v.ng = t.ng;
-    v.material = &materials_[t.surface];
-    if (t.normals == kNone) {
-      ns = t.ng;
-    } else {
-      const SmoothNormals& n = smooth_normals_[t.normals];
-      ns = normalize(w * n.corners[0] + hit.u * n.corners[1] + hit.v * n.corners[2]);
-    }
-    v.light = t.light;
-  } else {
-    const Sphere& s = geometry_.spheres()[hit.index];
-    v.ng = normalize(ray.origin + hit.t * ray.direction - s.center);
-    v.position = s.center + s.radius * v.ng;
-    v.error = position_error(s.max_coordinate());
-    v.material = &materials_[sphere_materials_[hit.index]];
-    ns = v.ng;
-  }
-
-  const Vec3 wo = -normalize(ray.direction);
-  if (dot(wo, v.ng) < 0) {
-    v.ng = -v.ng;
-    ns = -ns;
-    v.light = kNone;
-  }
-  // An interpolated normal may turn away from the viewer near a silhouette; the true one does not.
-  v.normal_replaced = !(dot(wo, ns) > 0);
-  if (v.normal_replaced) ns = v.ng;
-  v.shading = Frame::around(ns);
-  v.wo = v.shading.to_local(wo);
-  return v;
-}
-
 }  // namespace raytracing

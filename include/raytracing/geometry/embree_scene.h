@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "raytracing/geometry/embree_api.h"
 #include "raytracing/geometry/ray.h"
 #include "raytracing/geometry/sphere.h"
-
-struct RTCSceneTy;
-struct RTCDeviceTy;
 
 namespace raytracing {
 
@@ -52,6 +51,8 @@ class EmbreeScene {
     void operator()(RTCSceneTy* scene) const;
     void operator()(RTCDeviceTy* device) const;
   };
+  static constexpr unsigned kTriangles = 0;  // geometry ids
+  static constexpr unsigned kSpheres = 1;
   void add_triangles();
   void add_spheres();
 
@@ -63,6 +64,25 @@ class EmbreeScene {
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
+
+// Here for the compiler to keep rays and hits in registers.
+
+inline std::optional<Hit> EmbreeScene::closest_hit(const Ray& ray) const {
+  RTCRayHit query;
+  query.ray = embree::ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect1(scene_.get(), query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const auto kind = query.hit.geomID == kTriangles ? Hit::Kind::triangle : Hit::Kind::sphere;
+  return Hit{kind, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+}
+
+inline bool EmbreeScene::occluded(const Vec3& from, const Vec3& to) const {
+  RTCRay query = embree::ray(from, to - from, 1.0f);
+  embree::occluded1(scene_.get(), query);
+  return query.tfar < 0;
+}
 
 /// "Embree 3.13.5", as compiled against.
 const char* embree_version();
