@@ -1,12 +1,10 @@
 #include "raytracing/integrator/direct_method.h"
 
 #include <array>
-#include <cmath>
 
 #include "direct_methods.h"
 #include "raytracing/lights/chord_sample.h"
 #include "raytracing/materials/bsdf.h"
-#include "raytracing/sampling/warp.h"
 
 namespace raytracing {
 namespace {
@@ -46,35 +44,6 @@ std::vector<std::string> direct_method_names() {
   std::vector<std::string> names;
   for (const DirectMethod& method : kMethods) names.emplace_back(method.name);
   return names;
-}
-
-Rgb reflected(const Vertex& vertex, const Vec3& wi) {
-  if (dot(wi, vertex.ng) <= 0) return Rgb(0.0f);
-  return eval_cos(*vertex.material, vertex.wo, vertex.shading.to_local(wi));
-}
-
-float light_sample_weight(const DirectQuery& query, const Vec3& wi, float pdf_w) {
-  const Vertex& v = query.vertex;
-  if (!wants_mis(*v.material)) return 1;
-  const float bsdf = bsdf_pdf_w(*v.material, v.wo, v.shading.to_local(wi));
-  return balance_heuristic(query.light_pmf * pdf_w, bsdf);
-}
-
-Rgb one_direction(const DirectQuery& query, const Vec3& wi, const Rgb& f_cos, float visible,
-                  float pdf_w) {
-  if (query.directions != nullptr)
-    query.directions->push_back(
-        {wi, query.light.Le * (visible / pdf_w), query.light_pmf * pdf_w});
-  return query.light.Le * f_cos * (visible * light_sample_weight(query, wi, pdf_w) / pdf_w);
-}
-
-Rgb light_point(const DirectQuery& query, Visibility& visibility, const Vec3& q, float pdf_w) {
-  // The density is infinite for a vertex in the light's own plane, to which it sends nothing.
-  if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
-  const Vec3 wi = normalize(q - query.vertex.position);
-  const Rgb f_cos = reflected(query.vertex, wi);
-  if (is_black(f_cos) || visibility.occluded(query.vertex, q, query.light)) return Rgb(0.0f);
-  return one_direction(query, wi, f_cos, 1, pdf_w);
 }
 
 }  // namespace raytracing

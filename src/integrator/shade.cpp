@@ -46,7 +46,7 @@ Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& 
   const std::uint32_t pair = light_pair(depth);
   const DirectQuery query{v,    light,             chosen.pmf, sampler.pair(pair), sampler,
                           pair, options.line_rays, directions};
-  const Rgb reflected = options.method->estimate(query, visibility) / chosen.pmf;
+  const Rgb reflected = options.method->estimate(query, visibility) * (1 / chosen.pmf);
   if (directions != nullptr)
     for (LightSample& sample : *directions) sample.light /= chosen.pmf;
   return reflected;
@@ -74,7 +74,7 @@ Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex& v, std::uint32
     if (depth + 1 >= kRouletteDepth) {
       survival = std::min(kLargestSurvival, max_component(throughput));
       if (!(sampler.pair(choice_pair(depth)).y < survival)) break;
-      throughput /= survival;
+      throughput *= 1 / survival;
     }
     log.steps.back().survival = survival;
     const Bounce bounce{v.position, sample->pdf_w, counted};

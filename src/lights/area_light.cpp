@@ -74,10 +74,11 @@ AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
   const Vec3 along = longest_edge(corners);
   chords = {ChordSet(corners, normal, along), ChordSet(corners, normal, cross(normal, along))};
 
-  is_parallelogram =
-      corners.size() == 4 && same_point(corners[0] + corners[2], corners[1] + corners[3], error);
   const Vec3 x = corners[1] - corners[0], y = corners.back() - corners[0];
-  if (is_parallelogram && std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
+  if (corners.size() != 4 || !same_point(corners[0] + corners[2], corners[1] + corners[3], error))
+    return;
+  parallelogram = Parallelogram{corners[0], x, y};
+  if (std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
     rectangle = Rectangle{corners[0], normalize(x), normalize(y), length(x), length(y)};
 }
 
@@ -85,21 +86,11 @@ bool AreaLight::faces(const Vec3& from) const { return dot(from - corners[0], no
 
 float AreaLight::power() const { return kPi * area * (Le.x + Le.y + Le.z) / 3; }
 
-Vec3 sample_area(const AreaLight& light, const Vec2& u) {
-  const std::vector<Vec3>& c = light.corners;
-  if (light.is_parallelogram) return c[0] + u.x * (c[1] - c[0]) + u.y * (c[3] - c[0]);
+Vec3 sample_fan(const AreaLight& light, const Vec2& u) {
   const auto choice = light.fan.sample(u.x);
   const auto [a, b, d] = fan_triangle(light, choice.index);
   const Vec2 w = square_to_triangle({choice.u, u.y});
   return a + w.x * (b - a) + w.y * (d - a);
-}
-
-float area_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q) {
-  const Vec3 d = from - q;
-  const float distance2 = dot(d, d);
-  const float height = dot(d, light.normal);  // distance * cosine at the light
-  if (height <= 0) return 0;
-  return distance2 * std::sqrt(distance2) / (height * light.area);
 }
 
 std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const Vec3& from,

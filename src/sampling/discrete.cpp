@@ -17,8 +17,7 @@ DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   }
 }
 
-DiscreteDistribution::Choice DiscreteDistribution::sample(float u) const {
-  if (pmf_.size() == 1) return {0, 1.0f, u};
+DiscreteDistribution::Choice DiscreteDistribution::sample_many(float u) const {
   const auto it = std::upper_bound(cdf_.begin(), cdf_.end() - 1, u);
   const auto index = static_cast<std::uint32_t>(it - cdf_.begin());
   const float below = index == 0 ? 0.0f : cdf_[index - 1];

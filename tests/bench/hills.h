@@ -1,5 +1,6 @@
 #pragma once
-// A model of any size, the same bytes every time: hills over a square, with a normal at each vertex.
+// A model of any size, the same bytes every time: hills over a square, with a normal at each
+// vertex.
 
 #include <charconv>
 #include <cmath>

@@ -16,8 +16,8 @@ namespace raytracing::embree {
 
 using Float4 [[gnu::vector_size(16)]] = float;
 
-/// The first 32 bytes of a ray. Embree reads them as two vectors, so they are written as two: a load
-/// that spans several stores has to wait until all of them have reached the cache.
+/// The first 32 bytes of a ray. Embree reads them as two vectors, so they are written as two: a
+/// load that spans several stores has to wait until all of them have reached the cache.
 struct RayHead {
   Float4 origin_and_near, direction_and_time;
 };

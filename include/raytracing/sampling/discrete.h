@@ -19,11 +19,15 @@ class DiscreteDistribution {
     float u;  ///< what is left of the uniform number: uniform in [0,1) again
   };
   /// Chooses by a uniform number in [0,1). The distribution must not be empty.
-  Choice sample(float u) const;
+  Choice sample(float u) const {
+    return pmf_.size() == 1 ? Choice{0, 1.0f, u} : sample_many(u);
+  }
   float pmf(std::uint32_t index) const { return pmf_[index]; }
   std::size_t size() const { return pmf_.size(); }
 
  private:
+  Choice sample_many(float u) const;
+
   std::vector<float> pmf_;
   std::vector<float> cdf_;  // cdf_[i] = sum of pmf_[0..i]; the last is 1
 };
