@@ -1,5 +1,5 @@
 // The parts of the GGX conductor that bsdf.h does not show.
-#include "../../src/materials/ggx.h"
+#include "raytracing/materials/ggx.h"
 
 #include <gtest/gtest.h>
 

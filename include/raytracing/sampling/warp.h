@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "raytracing/math/circle.h"
 #include "raytracing/math/numeric.h"
 #include "raytracing/math/vec.h"
 
@@ -12,11 +13,11 @@ namespace raytracing {
 inline Vec2 square_to_disk(const Vec2& u) {
   const float a = 2 * u.x - 1;
   const float b = 2 * u.y - 1;
-  if (a == 0 && b == 0) return {0.0f, 0.0f};
   const bool wide = std::abs(a) > std::abs(b);
   const float r = wide ? a : b;
-  const float phi = wide ? (kPi / 4) * (b / a) : kPi / 2 - (kPi / 4) * (a / b);
-  return {r * std::cos(phi), r * std::sin(phi)};
+  if (r == 0) return {0.0f, 0.0f};
+  const Vec2 p = r * circle_eighth((wide ? b : a) / r);
+  return wide ? p : Vec2(p.y, p.x);
 }
 
 /// Cosine-distributed direction about +z.

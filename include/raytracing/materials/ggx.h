@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
-#include "raytracing/materials/bsdf.h"
+#include "raytracing/materials/bsdf_sample.h"
+#include "raytracing/materials/material.h"
+#include "raytracing/math/circle.h"
 #include "raytracing/math/numeric.h"
 
 namespace raytracing {
@@ -33,10 +36,9 @@ inline Rgb reflectance(const GgxConductor& m, float wo_dot_h) {
 /// 2023, listing 3: the normals visible to wo are a cap of a sphere after stretching).
 inline Vec3 sample_visible_normal(float alpha, const Vec3& wo, const Vec2& u) {
   const Vec3 w = normalize(Vec3(alpha * wo.x, alpha * wo.y, wo.z));
-  const float phi = 2 * kPi * u.x;
   const float z = (1 - u.y) * (1 + w.z) - w.z;
   const float r = safe_sqrt((1 - z) * (1 + z));
-  const Vec3 h = Vec3(r * std::cos(phi), r * std::sin(phi), z) + w;
+  const Vec3 h = Vec3(r * circle(u.x), z) + w;
   return normalize(Vec3(alpha * h.x, alpha * h.y, h.z));
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "raytracing/materials/bsdf.h"
+#include <optional>
+
+#include "raytracing/materials/bsdf_sample.h"
+#include "raytracing/materials/material.h"
 #include "raytracing/sampling/warp.h"
 
 namespace raytracing {
