@@ -1,4 +1,5 @@
-"""Imports Mitsuba 3 in its vectorised variant. `import mitsuba` elsewhere comes after this."""
+"""Imports Mitsuba 3: in its vectorised variant, or in that which RAYTRACING_MITSUBA_VARIANT names.
+`import mitsuba` elsewhere comes after this."""
 
 import glob
 import os
@@ -15,4 +16,4 @@ if "DRJIT_LIBLLVM_PATH" not in os.environ and _find_llvm():
 
 import mitsuba as mi  # noqa: E402  (Dr.Jit reads the environment when it is imported)
 
-mi.set_variant("llvm_ad_rgb")
+mi.set_variant(os.environ.get("RAYTRACING_MITSUBA_VARIANT", "llvm_ad_rgb"))
