@@ -115,8 +115,9 @@ class Job {
  private:
   struct Share {
     Share(const Scene& scene, const Camera& camera, const RenderOptions& options)
-        : visibility(scene), groups(scene, camera, options) {}
+        : visibility(scene), samples(scene, camera, options), groups(scene, camera, options) {}
     Visibility visibility;
+    SampleTracer samples;
     GroupTracer groups;
     PathLog log;
     std::uint64_t paths = 0;
@@ -152,8 +153,7 @@ class Job {
       for (int x = x0; x < x1; ++x) {
         Film::Pixel pixel = result_.film.at(x, y);
         for (std::uint64_t sample = first; sample < last; ++sample) {
-          const Rgb radiance = trace_sample(scene_, camera_, options_, x, y, sample,
-                                            share.visibility, share.log);
+          const Rgb radiance = share.samples.trace(x, y, sample, share.visibility, share.log);
           pixel.add(finite(radiance, x, y, sample, share), group_size());
         }
         result_.film.at(x, y) = pixel;

@@ -18,18 +18,11 @@ struct Numbered {
   }
 };
 
-// The numbers of a sample, and its camera ray.
-struct Start {
-  PathSampler sampler;
-  Ray ray;
-
-  Start(const Camera& camera, const RenderOptions& options, int x, int y, const Numbered& n)
-      : sampler(options.sampler, options.seed, static_cast<std::uint32_t>(x),
-                static_cast<std::uint32_t>(y), n.sample, n.replicate) {
-    const Vec2 jitter = sampler.pair(0);
-    ray = camera.ray(static_cast<float>(x) + jitter.x, static_cast<float>(y) + jitter.y);
-  }
-};
+// The camera ray of a sample.
+Ray camera_ray(const Camera& camera, PathSampler& sampler, int x, int y) {
+  const Vec2 jitter = sampler.pair(0);
+  return camera.ray(static_cast<float>(x) + jitter.x, static_cast<float>(y) + jitter.y);
+}
 
 }  // namespace
 
@@ -49,9 +42,12 @@ void GroupTracer::trace(const PixelGroups& groups, const PixelGroups::Place& pla
                         Visibility& visibility, PathLog& log) {
   groups.pixels(place.column, place.row, place.index, pixels_);
   paths_.clear();
+  const Numbered n(options_, sample);
   for (const PixelGroups::Pixel& pixel : pixels_) {
-    const Start start(camera_, options_, pixel.x, pixel.y, Numbered(options_, sample));
-    paths_.push_back({start.ray, start.sampler});
+    PathSampler sampler(options_.sampler, options_.seed, static_cast<std::uint32_t>(pixel.x),
+                        static_cast<std::uint32_t>(pixel.y), n.sample, n.replicate);
+    const Ray ray = camera_ray(camera_, sampler, pixel.x, pixel.y);
+    paths_.push_back({ray, sampler});
   }
   if (paths_.empty()) return;
   const auto found = std::find(pixels_.begin(), pixels_.end(), logged);
@@ -62,18 +58,24 @@ void GroupTracer::trace(const PixelGroups& groups, const PixelGroups::Place& pla
 #if defined(__GNUC__) && !defined(__clang__)
 [[gnu::noipa]]
 #endif
+Rgb SampleTracer::trace(int x, int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
+  const Numbered n(options_, sample);
+  PathSampler sampler = sampler_.path(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                      n.sample, n.replicate);
+  const Ray ray = camera_ray(camera_, sampler, x, y);
+  return shade(scene_, options_.shade, ray, sampler, visibility, log);
+}
+
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
                  int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
-  if (shares_paths(options)) {
-    const PixelGroups groups = groups_of(options, sample);
-    GroupTracer tracer(scene, camera, options);
-    tracer.trace(groups, groups.place_of({x, y}), sample, {x, y}, visibility, log);
-    const auto pixels = tracer.pixels();
-    const auto own = std::find(pixels.begin(), pixels.end(), PixelGroups::Pixel{x, y});
-    return tracer.radiance(static_cast<std::size_t>(own - pixels.begin()));
-  }
-  Start start(camera, options, x, y, Numbered(options, sample));
-  return shade(scene, options.shade, start.ray, start.sampler, visibility, log);
+  if (!shares_paths(options))
+    return SampleTracer(scene, camera, options).trace(x, y, sample, visibility, log);
+  const PixelGroups groups = groups_of(options, sample);
+  GroupTracer tracer(scene, camera, options);
+  tracer.trace(groups, groups.place_of({x, y}), sample, {x, y}, visibility, log);
+  const auto pixels = tracer.pixels();
+  const auto own = std::find(pixels.begin(), pixels.end(), PixelGroups::Pixel{x, y});
+  return tracer.radiance(static_cast<std::size_t>(own - pixels.begin()));
 }
 
 }  // namespace raytracing

@@ -17,6 +17,25 @@ inline bool shares_paths(const RenderOptions& options) {
 /// The groups of sample number `sample`.
 PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample);
 
+/// Traces samples that share nothing; one per thread.
+class SampleTracer {
+ public:
+  SampleTracer(const Scene& scene, const Camera& camera, const RenderOptions& options)
+      : scene_(scene),
+        camera_(camera),
+        options_(options),
+        sampler_(options.sampler, options.seed) {}
+
+  /// The radiance of one sample. Fastest when the samples of a pixel follow each other.
+  Rgb trace(int x, int y, std::uint64_t sample, Visibility& visibility, PathLog& log);
+
+ private:
+  const Scene& scene_;
+  const Camera& camera_;
+  const RenderOptions& options_;
+  PixelSampler sampler_;
+};
+
 /// Traces groups of samples; one per thread.
 class GroupTracer {
  public:

@@ -48,15 +48,47 @@ class PathSampler {
   bool coin_of_pixel(std::uint32_t index) const;
 
  private:
+  friend class PixelSampler;
   static constexpr std::uint32_t kBatch = 16;
+  struct Key {  // of seed, pixel and replicate; independent: of the sample too
+    std::uint32_t low, high;
+  };
+  struct Scrambles {  // seeds of a batch of pairs
+    alignas(64) std::array<std::uint32_t, kBatch> shuffle, x, y;
+  };
+  static std::uint64_t epoch(SamplerKind kind, std::uint64_t sample, std::uint64_t replicate);
+  static Key make_key(std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint64_t epoch);
+  static void make_scrambles(const Key& key, std::uint32_t first, Scrambles& scrambles);
+
+  PathSampler(const Key& key, std::uint64_t sample, const Scrambles& scrambles);
   void make_batch(std::uint32_t index);
+  void make_sobol(const Scrambles& scrambles);
 
   SamplerKind kind_;
-  std::uint32_t key_[2];           // of seed, pixel and replicate; independent: of the sample too
+  Key key_;
   std::uint32_t reversed_sample_;  // bit-reversed low half of the sample index
   std::uint32_t first_ = 0;        // pair held in x_[0], y_[0]
   alignas(64) std::array<float, kBatch> x_;
   alignas(64) std::array<float, kBatch> y_;
+};
+
+/// Makes the PathSamplers of one pixel after the other: the same as by their constructor, in less
+/// time, since it keeps what the samples of a pixel have in common.
+class PixelSampler {
+ public:
+  PixelSampler(SamplerKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {}
+
+  PathSampler path(std::uint32_t x, std::uint32_t y, std::uint64_t sample,
+                   std::uint64_t replicate);
+
+ private:
+  SamplerKind kind_;
+  std::uint64_t seed_;
+  bool empty_ = true;
+  std::uint32_t x_ = 0, y_ = 0;
+  std::uint64_t epoch_ = 0;
+  PathSampler::Key key_{};
+  PathSampler::Scrambles scrambles_;
 };
 
 }  // namespace raytracing
