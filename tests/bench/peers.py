@@ -2,13 +2,13 @@
 
     python3 tests/bench/peers.py --program build/Raytracing [--scenes cornell glossy]
         [--spp 16 64 256] [--rounds 5] [--size 256] [--threads 2] [--references FOLDER]
-        [--scalar-rounds 1]
+        [--scalar-rounds 1] [--reference-passes 128]
 
 Needs the PyPI package mitsuba and a library libLLVM (validation/mitsuba_setup.py finds it). Prints a
 table in Markdown for each scene:
 
   s           seconds of rendering, median of the rounds. Mitsuba's without loading, building and
-              compiling its kernels: each setting renders once before, uncounted.
+              compiling its kernels, for which each picture is rendered once before.
   process s   ours only: the whole program, from start to the written picture
   relMSE      mean of (x - r)^2 / (r^2 + .01) over pixels and channels, less the reference's own
               variance; mean of the rounds, which differ by seed
@@ -37,7 +37,7 @@ from mitsuba_process import MitsubaProcess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EPSILON = 0.01
-REFERENCE_SPP, REFERENCE_PASSES, REFERENCE_SEED = 64, 128, 100_000
+REFERENCE_SPP, REFERENCE_SEED = 64, 100_000
 ROULETTE_DEPTH = 5  # Mitsuba's default
 OURS = {"ours, reuse off": ["--reuse", "1"], "ours, --reuse 4": ["--reuse", "4"]}
 THEIRS = [("llvm_ad_rgb", "multijitter"), ("llvm_ad_rgb", "ldsampler"),
@@ -77,6 +77,7 @@ def parse_arguments():
     parser.add_argument("--scalar-rounds", type=int, default=1, help="of scalar_rgb, which is slow")
     parser.add_argument("--size", type=int, default=256)
     parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--reference-passes", type=int, default=128, help="of 64 samples")
     parser.add_argument("--references", type=pathlib.Path, default=ROOT / "build/peers")
     return parser.parse_args()
 
@@ -102,7 +103,7 @@ class Bench:
             path.parent.mkdir(parents=True, exist_ok=True)
             mean, variance = self.mitsuba["llvm_ad_rgb"].reference(
                 scene_path(scene), size, {"conductor": conductor}, REFERENCE_SPP,
-                REFERENCE_PASSES, REFERENCE_SEED)
+                self.arguments.reference_passes, REFERENCE_SEED)
             np.savez(path, mean=mean, variance=variance)
         stored = np.load(path)
         return stored["mean"], stored["variance"]
@@ -121,10 +122,8 @@ class Bench:
     def run_theirs(self, scene, spp, seed, variant, sampler, runs, reference):
         settings = {"sampler": sampler, "roulette_depth": ROULETTE_DEPTH,
                     "conductor": "roughconductor"}
-        process = self.mitsuba[variant]
-        if not runs.seconds and variant != "scalar_rgb":  # compiles the kernels
-            process.render(scene_path(scene), self.arguments.size, settings, spp, 0)
-        seconds, image = process.render(scene_path(scene), self.arguments.size, settings, spp, seed)
+        seconds, image = self.mitsuba[variant].render(scene_path(scene), self.arguments.size,
+                                                      settings, spp, seed)
         runs.seconds.append(seconds)
         runs.errors.append(relative_error(image, reference))
 
