@@ -29,6 +29,7 @@ constexpr std::array kCommands{
     Command{"compare", "tells how far a picture is from another, and where", compare_command},
     Command{"chart", "measures the error of the methods against their time, and draws it",
             chart_command},
+    Command{"stress", "looks for where the methods fail, against exact truth", stress_command},
 };
 
 constexpr const char* kStdoutFailed = "standard output: cannot be written";

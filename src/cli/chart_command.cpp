@@ -172,7 +172,7 @@ class Chart {
   }
 
   bool draw() const {
-    if (!run_gnuplot(a_.folder)) {
+    if (!run_gnuplot(a_.folder, "chart.gp")) {
       fmt::print(stderr, "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the "
                          "same command draws them\n");
       return false;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "limits.h"
+#include "method_list.h"
 #include "option_list.h"
 #include "raytracing/study/error_metrics.h"
 
@@ -14,33 +14,9 @@ namespace {
 
 constexpr std::uint64_t kMaxSeeds = std::uint64_t{1} << 20;  // see run_seed()
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ',') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-std::vector<const DirectMethod*> parse_methods(const std::string& text) {
-  std::vector<const DirectMethod*> methods;
-  for (const std::string& name : split(text)) {
-    check_name("--methods", name, direct_method_names());
-    const DirectMethod* method = find_direct_method(name);
-    if (std::find(methods.begin(), methods.end(), method) != methods.end())
-      throw_usage("--methods: " + name + " is named twice");
-    methods.push_back(method);
-  }
-  return methods;
-}
-
 std::vector<std::uint64_t> parse_spp(const std::string& text) {
   std::set<std::uint64_t> numbers;
-  for (const std::string& part : split(text))
+  for (const std::string& part : split_list(text))
     if (!numbers.insert(whole_number("--spp", part, 1, kMaxSpp)).second)
       throw_usage("--spp: " + part + " is named twice");
   return {numbers.begin(), numbers.end()};
@@ -117,7 +93,7 @@ struct ChartOptionList : OptionList {
 
 ChartArguments parse_chart_arguments(const Arguments& arguments) {
   ChartArguments a;
-  for (const DirectMethod& method : direct_methods()) a.methods.push_back(&method);
+  a.methods = all_methods();
   a.threads = default_threads();
   ChartOptionList options(a);
   a.text = options.parse(arguments);

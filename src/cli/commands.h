@@ -28,4 +28,8 @@ int compare_command(const Arguments& arguments);
 /// Measures the methods' error against time. As above.
 int chart_command(const Arguments& arguments);
 
+/// Measures the methods where they might fail, against exact truth. As above; kExitCheckFailed when
+/// a method that claims to be unbiased is not, or a sample is not finite.
+int stress_command(const Arguments& arguments);
+
 }  // namespace raytracing

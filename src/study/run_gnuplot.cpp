@@ -15,9 +15,9 @@ extern char** environ;
 namespace raytracing {
 
 // No shell takes part, so that the folder may have any name.
-bool run_gnuplot(const std::string& folder) {
-  std::string program = "gnuplot", script = "chart.gp";
-  const std::array<char*, 3> argv{program.data(), script.data(), nullptr};
+bool run_gnuplot(const std::string& folder, const std::string& script) {
+  std::string program = "gnuplot", file = script;
+  const std::array<char*, 3> argv{program.data(), file.data(), nullptr};
   posix_spawn_file_actions_t actions;
   if (posix_spawn_file_actions_init(&actions) != 0) throw OutputError("gnuplot: cannot be started");
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
@@ -30,7 +30,7 @@ bool run_gnuplot(const std::string& folder) {
   int status = 0;
   while (waitpid(pid, &status, 0) < 0)
     if (errno != EINTR) throw OutputError("gnuplot: its end was not seen");
-  if (status != 0) throw OutputError(fmt::format("gnuplot failed on {}/chart.gp", folder));
+  if (status != 0) throw OutputError(fmt::format("gnuplot failed on {}/{}", folder, script));
   return true;
 }
 

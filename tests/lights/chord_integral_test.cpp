@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "raytracing/math/frame.h"
-#include "support/polygons.h"
+#include "raytracing/study/exact_polygons.h"
 #include "support/statistics.h"
 
 namespace raytracing {

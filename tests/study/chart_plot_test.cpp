@@ -48,7 +48,7 @@ TEST(ChartPlot, GnuplotDrawsIntoAnyFolder) {
   temp.write(in_folder + "chart.dat", plot_data(summary, plot_bottom(summary)));
   temp.write(in_folder + "chart.gp",
              plot_script(summary, "it's `touch x` \"a\" \\ _b_ ^c {d} %e"));
-  ASSERT_TRUE(run_gnuplot(folder));
+  ASSERT_TRUE(run_gnuplot(folder, "chart.gp"));
   for (const char* name : {"/error_vs_time", "/error_vs_spp"}) {
     const std::string svg = read_file(folder + name + ".svg");
     EXPECT_NE(svg.find("</svg>"), std::string::npos);
@@ -63,7 +63,7 @@ TEST(ChartPlot, AFailureOfGnuplotIsAnOutputError) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is missing";
   const TempDir folder;
   folder.write("chart.gp", "set output 'no/such/folder/x'\nplot x\nexit status 3\n");
-  EXPECT_THROW(run_gnuplot(folder.path()), OutputError);
+  EXPECT_THROW(run_gnuplot(folder.path(), "chart.gp"), OutputError);
 }
 
 }  // namespace

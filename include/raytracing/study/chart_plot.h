@@ -18,8 +18,8 @@ double plot_bottom(const ChartSummary& summary);
 /// run in the folder of the chart.
 std::string plot_script(const ChartSummary& summary, const std::string& title);
 
-/// Runs gnuplot on <folder>/chart.gp. False when it is not in PATH. Throws OutputError when it
+/// Runs gnuplot on <folder>/<script>. False when it is not in PATH. Throws OutputError when it
 /// fails.
-bool run_gnuplot(const std::string& folder);
+bool run_gnuplot(const std::string& folder, const std::string& script);
 
 }  // namespace raytracing

@@ -1,5 +1,6 @@
 #pragma once
-// Light from polygons in closed form, in long double: what the estimators are held against.
+// Light from polygons in closed form, in long double: what the estimators are held against. All
+// polygons here are planar and convex.
 
 #include <cmath>
 #include <numbers>
@@ -19,7 +20,7 @@ inline LPolygon long_polygon(std::span<const Vec3> corners) {
   return polygon;
 }
 
-/// The part of a convex polygon where dot(x - p, n) >= 0 (Sutherland & Hodgman 1974).
+/// The part of a polygon where dot(x - p, n) >= 0 (Sutherland & Hodgman 1974).
 inline LPolygon clip(const LPolygon& polygon, const LVec3& p, const LVec3& n) {
   LPolygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -45,12 +46,19 @@ inline LVec3 inward(const LPolygon& polygon, std::size_t i) {
   return cross(area_vector(polygon), polygon[(i + 1) % polygon.size()] - polygon[i]);
 }
 
-/// The common part of two convex polygons of one plane.
+/// The common part of two polygons of one plane.
 inline LPolygon intersection(LPolygon polygon, const LPolygon& window) {
   for (std::size_t i = 0; i < window.size(); ++i)
     polygon = clip(polygon, window[i], inward(window, i));
   return polygon;
 }
+
+/// What `window` leaves of the polygons, all of one plane, in convex pieces.
+std::vector<LPolygon> difference(const std::vector<LPolygon>& polygons, const LPolygon& window);
+
+/// What the point p sees of `light` behind the occluders, in convex pieces.
+std::vector<LPolygon> visible_pieces(const LPolygon& light, std::span<const LPolygon> occluders,
+                                     const LVec3& p);
 
 /// The shadow that `polygon` throws, with the light at `from`, on the plane of `screen`. It must
 /// lie between the two.

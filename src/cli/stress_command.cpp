@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "build_info.h"
+#include "commands.h"
+#include "raytracing/cli/app.h"
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "raytracing/study/chart_plot.h"
+#include "raytracing/study/stress_page.h"
+#include "raytracing/study/stress_plot.h"
+#include "signals.h"
+#include "stress_options.h"
+
+namespace raytracing {
+namespace {
+
+/// Where the results go.
+class Folder {
+ public:
+  Folder(std::string path, bool quiet) : path_(std::move(path)), quiet_(quiet) {
+    std::error_code error;
+    std::filesystem::create_directories(path_, error);
+    if (error) throw OutputError(path_ + ": " + error.message());
+    OutputFile probe(path_ + "/stress.csv");  // before the work, not after it
+  }
+
+  const std::string& path() const { return path_; }
+  void write(const std::string& name, const std::string& bytes) const {
+    OutputFile file(path_ + "/" + name);
+    file.write(bytes);
+    file.commit();
+    print_path(name);
+  }
+  void print_path(const std::string& name) const {
+    if (!quiet_) fmt::print("{}/{}\n", path_, name);
+  }
+
+ private:
+  std::string path_;
+  bool quiet_;
+};
+
+bool draw(const StressResult& result, const Folder& folder) {
+  if (!run_gnuplot(folder.path(), "stress.gp")) {
+    fmt::print(stderr, "no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); gnuplot "
+                       "stress.gp in the folder draws them\n");
+    return false;
+  }
+  for (const std::string& name : stress_pictures(result))
+    for (const char* extension : {".svg", ".png"}) folder.print_path(name + extension);
+  return true;
+}
+
+void write_results(const StressResult& result, const StressArguments& a, const Folder& folder,
+                   const std::string& command_line) {
+  folder.write("stress.csv", stress_csv(result));
+  folder.write("stress.dat", stress_plot_data(result));
+  folder.write("stress.gp", stress_plot_script(result));
+  const bool has_pictures = draw(result, folder);
+  folder.write("stress.html",
+               report_html(stress_report(result, folder.path(), has_pictures,
+                                         {{"command", command_line},
+                                          {"version", program_version()},
+                                          {"build", build_description()},
+                                          {"machine", machine_description()},
+                                          {"seeds", std::to_string(a.plan.seeds)},
+                                          {"line rays", std::to_string(a.plan.line_rays)}})));
+}
+
+void print_verdicts(const StressResult& result) {
+  for (const std::string& line : stress_verdicts(result)) fmt::print(stderr, "{}\n", line);
+  fmt::print(stderr, "{}\n", stress_rule(result.critical_z));
+}
+
+// One line for each cell that fails the run.
+int exit_code(const StressResult& result) {
+  for (const StressCell* c : result.failures())
+    fmt::print(stderr, "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}, {} samples not "
+               "finite\n",
+               c->stress_case->name, c->setting->label, c->method->name, to_string(c->verdict),
+               100 * c->relative_bias(), 100 * c->relative(c->standard_error), c->z(),
+               c->not_finite);
+  return result.failures().empty() ? kExitGood : kExitCheckFailed;
+}
+
+}  // namespace
+
+int stress_command(const Arguments& arguments) {
+  const StressArguments a = parse_stress_arguments(arguments);
+  if (a.text) {
+    fmt::print("{}", *a.text);
+    return kExitGood;
+  }
+  const Folder folder(a.folder, a.quiet);
+  const StopOnSignal signals;
+  ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
+  const StressResult result =
+      run_stress(a.plan, signals.stop(),
+                 [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
+  display.finish(result.complete);
+  if (!result.complete) {
+    fmt::print(stderr, "stopped: nothing written\n");
+    return kExitSignalBase + signals.signal();
+  }
+  write_results(result, a, folder, arguments.command_line);
+  if (!a.quiet) print_verdicts(result);
+  return exit_code(result);
+}
+
+}  // namespace raytracing

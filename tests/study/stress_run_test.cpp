@@ -1,0 +1,159 @@
+// The stress run: planted faults are found, sound methods pass, and all is repeatable.
+
+#include "raytracing/study/stress_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "raytracing/study/stress_page.h"
+#include "raytracing/study/stress_plot.h"
+
+namespace raytracing {
+namespace {
+
+const DirectMethod& point() { return *find_direct_method("point"); }
+
+DirectMethod planted(Rgb (*estimate)(const DirectQuery&, Visibility&)) {
+  return {"planted", "", "", true, estimate, nullptr};
+}
+
+StressPlan plan(const std::vector<std::string>& cases, std::vector<const DirectMethod*> methods) {
+  StressPlan p;
+  for (const StressCase& c : stress_cases())
+    if (std::find(cases.begin(), cases.end(), c.name) != cases.end()) p.cases.push_back(&c);
+  p.methods = std::move(methods);
+  p.seeds = 1;
+  return p;
+}
+
+StressResult run(const StressPlan& p) {
+  const std::atomic<bool> stop = false;
+  return run_stress(p, stop);
+}
+
+TEST(StressRun, FindsAPlantedBias) {
+  // 2 % too bright: below the noise of one pixel, above that of all.
+  const DirectMethod biased = planted([](const DirectQuery& query, Visibility& visibility) {
+    return 1.02f * point().estimate(query, visibility);
+  });
+  const StressResult result = run(plan({"edge-direction"}, {&point(), &biased}));
+  ASSERT_EQ(result.cells.size(), 18u);
+  for (const StressCell& cell : result.cells) {
+    const bool is_planted = cell.method == &biased;
+    EXPECT_EQ(cell.verdict, is_planted ? Verdict::biased : Verdict::holds) << cell.setting->label;
+    EXPECT_EQ(cell.repeated, is_planted);
+    EXPECT_NEAR(cell.relative_bias(), is_planted ? 0.02 : 0, 0.004);
+  }
+  EXPECT_EQ(result.failures().size(), 9u);
+}
+
+TEST(StressRun, AnAdmittedBiasIsNoFailure) {
+  const StressResult result = run(plan({"edge-direction"}, {find_direct_method("line-ratio")}));
+  const auto biased = std::count_if(result.cells.begin(), result.cells.end(), [](const auto& c) {
+    return c.verdict == Verdict::biased;
+  });
+  EXPECT_GE(biased, 4);
+  EXPECT_TRUE(result.failures().empty());
+}
+
+TEST(StressRun, FindsPlantedNonFiniteSamples) {
+  // One in about 8000.
+  const DirectMethod broken = planted([](const DirectQuery& query, Visibility& visibility) {
+    const Rgb value = point().estimate(query, visibility);
+    return query.u.x < 1.25e-4f ? Rgb(std::numeric_limits<float>::quiet_NaN()) : value;
+  });
+  const StressResult result = run(plan({"scale"}, {&broken}));
+  for (const StressCell& cell : result.cells) {
+    EXPECT_EQ(cell.verdict, Verdict::broken);
+    EXPECT_GE(cell.not_finite, 1u);
+    EXPECT_LT(cell.not_finite, 16u);
+    EXPECT_TRUE(std::isfinite(cell.mean));
+  }
+  EXPECT_EQ(result.failures().size(), result.cells.size());
+}
+
+TEST(StressRun, NegativeSamplesAreBroken) {
+  const DirectMethod negative = planted([](const DirectQuery& query, Visibility&) {
+    return query.u.x < 0.5f ? Rgb(-1.0f) : Rgb(1.0f);
+  });
+  EXPECT_EQ(run(plan({"scale"}, {&negative})).cells[0].verdict, Verdict::broken);
+}
+
+TEST(StressRun, DoesNotJudgeWhatItDidNotMeet) {
+  // The visible light is chosen once in a million times.
+  const StressResult result = run(plan({"bright-pair"}, {&point()}));
+  const StressCell& last = result.cells.back();
+  EXPECT_FALSE(last.resolved());
+  EXPECT_EQ(last.verdict, Verdict::noisy);
+  EXPECT_TRUE(result.failures().empty());
+}
+
+TEST(StressRun, IsTheSameForAnyNumberOfThreads) {
+  StressPlan p = plan({"contact", "terminator"}, {&point(), find_direct_method("line")});
+  const StressResult one = run(p);
+  p.threads = 3;
+  StressResult three = run(p);
+  ASSERT_EQ(three.cells.size(), one.cells.size());
+  for (std::size_t i = 0; i < one.cells.size(); ++i)
+    three.cells[i].nanoseconds = one.cells[i].nanoseconds;
+  EXPECT_EQ(stress_csv(three), stress_csv(one));
+}
+
+TEST(StressRun, MoreSeedsMeasureMorePixels) {
+  StressPlan p = plan({"terminator"}, {&point()});
+  const double one = run(p).cells[0].standard_error;
+  p.seeds = 4;
+  const StressResult four = run(p);
+  EXPECT_EQ(four.cells[0].pixels, 1024u);
+  EXPECT_NEAR(four.cells[0].standard_error, one / 2, one / 8);
+}
+
+TEST(StressRun, StopsWhenAsked) {
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(run_stress(plan({"scale"}, {&point()}), stop).complete);
+}
+
+TEST(StressCases, EachHasANameOfItsOwnAndAReceiver) {
+  std::set<std::string> names;
+  for (const StressCase& c : stress_cases()) {
+    EXPECT_TRUE(names.insert(std::string(c.name)).second) << c.name;
+    for (const StressSetting& setting : c.settings) {
+      if (setting.value > 1e5) continue;  // takes long to build, and is like the one before
+      const StressScene stress = setting.make();
+      const Scene scene(stress.scene, 1, false);
+      const auto hit = scene.geometry().closest_hit(stress.ray);
+      ASSERT_TRUE(hit) << c.name << " " << setting.label;
+      const Vertex vertex = scene.vertex(stress.ray, *hit);
+      EXPECT_EQ(hit->index, c.name == "albedo" ? hit->index : hit->index & 1);
+      const StressTruth truth = exact_radiance(stress, vertex);
+      EXPECT_GT(truth.radiance, 0) << c.name << " " << setting.label;
+      EXPECT_TRUE(std::isfinite(truth.rounding));
+    }
+  }
+  EXPECT_EQ(names.size(), 19u);
+}
+
+// The pictures' data has a block for each case and one for the overview; the page tells what fails.
+TEST(StressPage, ShowsEveryCellAndTheRule) {
+  const DirectMethod biased = planted([](const DirectQuery& query, Visibility& visibility) {
+    return 1.5f * point().estimate(query, visibility);
+  });
+  const StressResult result = run(plan({"terminator", "scale"}, {&point(), &biased}));
+  const std::string csv = stress_csv(result);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * (5 + 7));
+  const std::string data = stress_plot_data(result);
+  EXPECT_NE(data.find("# terminator\n"), std::string::npos);
+  EXPECT_NE(data.find("BIASED 7/7"), std::string::npos) << data;
+  const std::vector<std::string> pictures = stress_pictures(result);
+  EXPECT_EQ(pictures, (std::vector<std::string>{"stress", "stress_surface", "stress_scene"}));
+  const std::string page = report_html(stress_report(result, "", false, {{"command", "x"}}));
+  EXPECT_NE(page.find("planted: biased: terminator at 0, 10, 30, 60, 80; scale at 1e-06"),
+            std::string::npos);
+  EXPECT_NE(page.find("(Bonferroni)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace raytracing
