@@ -43,12 +43,12 @@ std::array<Vec3, 3> fan_triangle(const AreaLight& light, std::uint32_t i) {
 // Solid angles of the fan's triangles and their sum.
 struct FanSolidAngles {
   std::vector<float> each;
-  float sum = 0;
+  double sum = 0;
   FanSolidAngles(const AreaLight& light, const Vec3& from) {
     for (std::uint32_t i = 0; i < light.fan.size(); ++i) {
       const SphericalTriangle triangle(fan_triangle(light, i), from);
       each.push_back(static_cast<float>(triangle.solid_angle()));
-      sum += each.back();
+      sum += triangle.solid_angle();
     }
   }
 };
@@ -99,7 +99,7 @@ std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const
   if (light.rectangle) {
     const SphericalRectangle seen(*light.rectangle, from);
     if (!is_usable(seen.solid_angle())) return sample_by_area(light, from, u);
-    return SolidAngleSample{seen.sample(u), 1 / seen.solid_angle()};
+    return SolidAngleSample{seen.sample(u), static_cast<float>(1 / seen.solid_angle())};
   }
   const FanSolidAngles seen(light, from);
   if (!is_usable(seen.sum)) return sample_by_area(light, from, u);
@@ -107,15 +107,16 @@ std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const
   const SphericalTriangle triangle(fan_triangle(light, choice.index), from);
   const std::optional<Vec3> q = triangle.sample({choice.u, u.y});
   if (!q) return std::nullopt;
-  return SolidAngleSample{*q, 1 / seen.sum};
+  return SolidAngleSample{*q, static_cast<float>(1 / seen.sum)};
 }
 
 float solid_angle_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q) {
   if (!light.faces(from)) return 0;
-  const float solid_angle = light.rectangle
-                                ? SphericalRectangle(*light.rectangle, from).solid_angle()
-                                : FanSolidAngles(light, from).sum;
-  return is_usable(solid_angle) ? 1 / solid_angle : area_pdf_w(light, from, q);
+  const double solid_angle = light.rectangle
+                                 ? SphericalRectangle(*light.rectangle, from).solid_angle()
+                                 : FanSolidAngles(light, from).sum;
+  return is_usable(solid_angle) ? static_cast<float>(1 / solid_angle)
+                                : area_pdf_w(light, from, q);
 }
 
 }  // namespace raytracing

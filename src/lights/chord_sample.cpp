@@ -1,6 +1,7 @@
 #include "raytracing/lights/chord_sample.h"
 
 #include <cmath>
+#include <limits>
 
 #include "raytracing/math/numeric.h"
 #include "usable_solid_angle.h"
@@ -15,7 +16,7 @@ std::optional<ChordSample> sample_rectangle_chord(const Rectangle& r, const Vec3
   const SphericalRectangle::Strip strip = seen.strip(u);
   return ChordSample{{r.corner + strip.x * r.x, r.y, r.height},
                      strip.pdf_x,
-                     seen.solid_angle(),
+                     static_cast<float>(seen.solid_angle()),
                      strip.y_begin,
                      strip.line_distance2};
 }
@@ -35,7 +36,7 @@ WeightedChord angular_chord(const Rectangle& r, const Vec3& from, float u) {
   const float t = (2 * u - 1) * quarter;
   // The direction of the middle, (height, x) up to a factor, turned by phi.
   const Vec2 middle(height * (r0 + r1), x0 * r1 + x1 * r0);
-  const Vec2 turned = complex_product(middle, {1 - t * t, 2 * t});
+  const Vec2 turned = complex_product(middle, Vec2(1 - t * t, 2 * t));
   const float x = std::clamp(height * turned.y / turned.x, x0, x1);
   return {{r.corner + (x - x0) * r.x, r.y, r.height},
           height * (1 + t * t) / (4 * quarter * (height2 + x * x))};
@@ -68,30 +69,34 @@ std::optional<WeightedChord> sample_whole_chord(const AreaLight& light, const Ve
   return result;
 }
 
-float ChordSample::measure(float t) const {
-  if (solid_angle == 0) return t;
-  const float y = begin + t * chord.length;
+double ChordSample::measure(float t) const {
+  const auto d = static_cast<double>(t);
+  if (solid_angle == 0) return d;
+  const double y = begin + d * static_cast<double>(chord.length);
   return y / std::sqrt(y * y + line_distance2);
 }
 
 float ChordSample::share(const Interval& part) const {
-  return (measure(part.end) - measure(part.begin)) / (measure(1) - measure(0));
+  return static_cast<float>((measure(part.end) - measure(part.begin)) / (measure(1) - measure(0)));
 }
 
 float ChordSample::parameter(std::span<const Interval> parts, float x) const {
-  float total = 0;
+  double total = 0;
   for (const Interval& part : parts) total += measure(part.end) - measure(part.begin);
-  float rest = x * total;
+  double rest = static_cast<double>(x) * total;
   std::size_t i = 0;
   for (; i + 1 < parts.size(); ++i) {
-    const float size = measure(parts[i].end) - measure(parts[i].begin);
+    const double size = measure(parts[i].end) - measure(parts[i].begin);
     if (rest < size) break;
     rest -= size;
   }
-  const float m = measure(parts[i].begin) + rest;
-  if (solid_angle == 0) return std::clamp(m, parts[i].begin, parts[i].end);
-  const float y = m * std::sqrt(line_distance2) / safe_sqrt((1 - m) * (1 + m));
-  return std::clamp((y - begin) / chord.length, parts[i].begin, parts[i].end);
+  double t = measure(parts[i].begin) + rest;
+  if (solid_angle > 0) {
+    const double root =
+        std::sqrt(line_distance2 / std::max((1 - t) * (1 + t), std::numeric_limits<double>::min()));
+    t = (t * root - begin) / static_cast<double>(chord.length);
+  }
+  return std::clamp(static_cast<float>(t), parts[i].begin, parts[i].end);
 }
 
 std::optional<ChordSample> sample_chord(const AreaLight& light, const Vec3& from, int direction,

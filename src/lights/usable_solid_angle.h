@@ -2,9 +2,12 @@
 
 namespace raytracing {
 
-/// Whether float arithmetic can sample by this solid angle. Below the lower limit, rounding may
-/// exceed 1e-4 of it, and uniform in area is nearly uniform in solid angle anyway. Above the upper
-/// one (2 pi is the plane of the light itself) the warp's inverse loses its digits.
-constexpr bool is_usable(float solid_angle) { return solid_angle > 3e-3f && solid_angle < 6.2f; }
+/// Whether a light is sampled by this solid angle. Below the lower limit, uniform in area is nearly
+/// uniform in solid angle, and cheaper. Above the upper one, which a point reaches at some 1e-5
+/// sizes from the light, the rounding of the light's plane leaves the angle itself open (2 pi is
+/// that of the plane).
+constexpr bool is_usable(double solid_angle) {
+  return solid_angle > 3e-3 && solid_angle < 6.2831;
+}
 
 }  // namespace raytracing

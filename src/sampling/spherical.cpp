@@ -11,14 +11,18 @@ namespace raytracing {
 namespace {
 
 // Keeps the planes of an observer on the line of an edge free of 0 / 0.
-constexpr float kSmallest = std::numeric_limits<float>::min();
+constexpr double kSmallest = std::numeric_limits<float>::min();
+
+// Solid angles that leave float enough digits for the warp. Smaller and larger ones are differences
+// of angles almost equal: 2 pi is that of the whole plane.
+constexpr double kFloatLow = 0.01, kFloatHigh = 6;
 
 // The plane through the observer and one edge, by the angle of its normal from the rectangle's.
 struct EdgePlane {
-  float cosine, sine;
+  double cosine, sine;
   // `offset` of the edge from the observer's foot, inwards; `height` of the observer.
-  EdgePlane(float offset, float height) {
-    const float distance = std::sqrt(std::max(height * height + offset * offset, kSmallest));
+  EdgePlane(double offset, double height) {
+    const double distance = std::sqrt(std::max(height * height + offset * offset, kSmallest));
     cosine = offset / distance;
     sine = height / distance;
   }
@@ -27,63 +31,80 @@ struct EdgePlane {
 // The angle between neighbouring planes, whose cosine is -a b, as a unit complex number (cosine,
 // sine). Its sine comes without cancellation from the sines, which an observer close to the
 // rectangle's plane needs.
-Vec2 inner_angle(const EdgePlane& a, const EdgePlane& b) {
+DVec2 inner_angle(const EdgePlane& a, const EdgePlane& b) {
   return {-a.cosine * b.cosine, std::sqrt(square(a.sine) + square(a.cosine * b.sine))};
 }
 
+double root(double x) { return std::sqrt(std::max(x, 0.0)); }
+float root(float x) { return safe_sqrt(x); }
+
 }  // namespace
 
+// In double: the solid angle is a small difference where the rectangle is seen from near its plane,
+// and the rounding of its angles would be the same for all samples of a point, a bias.
 SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& from)
     : from_(from), x_(rectangle.x), y_(rectangle.y), z_(cross(rectangle.x, rectangle.y)) {
-  const Vec3 d = rectangle.corner - from;
-  x0_ = dot(d, x_);
-  y0_ = dot(d, y_);
-  z0_ = dot(d, z_);
+  const DVec3 d = DVec3(rectangle.corner) - DVec3(from);
+  x0_ = dot(d, DVec3(x_));
+  y0_ = dot(d, DVec3(y_));
+  z0_ = dot(d, cross(DVec3(x_), DVec3(y_)));
   if (z0_ > 0) {
     z_ = -z_;
     z0_ = -z0_;
   }
-  x1_ = x0_ + rectangle.width;
-  y1_ = y0_ + rectangle.height;
+  x1_ = x0_ + static_cast<double>(rectangle.width);
+  y1_ = y0_ + static_cast<double>(rectangle.height);
 
   const EdgePlane n0(-y0_, -z0_), n1(x1_, -z0_), n2(y1_, -z0_), n3(-x0_, -z0_);
   // The rectangle's inner angles on the sphere as unit complex numbers; their product turns by
   // solid angle + 2 pi. Ureña's k = 2 pi - g2 - g3 stays a complex number too.
-  const Vec2 g01 = complex_product(inner_angle(n0, n1), inner_angle(n1, n2));
-  const Vec2 g23 = complex_product(inner_angle(n2, n3), inner_angle(n3, n0));
-  const Vec2 all = complex_product(g01, g23);
+  const DVec2 g01 = complex_product(inner_angle(n0, n1), inner_angle(n1, n2));
+  const DVec2 g23 = complex_product(inner_angle(n2, n3), inner_angle(n3, n0));
+  const DVec2 all = complex_product(g01, g23);
   b0_ = n0.cosine;
   b1_ = n2.cosine;
   k_ = {g23.x, -g23.y};
   solid_angle_ = std::atan2(all.y, all.x);
-  if (solid_angle_ < 0) solid_angle_ += 2 * kPi;
+  if (solid_angle_ < 0) solid_angle_ += 2 * std::numbers::pi;
+  needs_double_ = !(solid_angle_ > kFloatLow && solid_angle_ < kFloatHigh);
 }
 
-float SphericalRectangle::sample_x(float u) const {
-  const float turn = u * solid_angle_;
-  const Vec2 au = complex_product(k_, {std::cos(turn), std::sin(turn)});
-  const float fu = (au.x * b0_ - b1_) / au.y;
-  const float cu2 = 1 / (fu * fu + b0_ * b0_);
-  const float cu = std::copysign(std::sqrt(std::min(cu2, 1.0f)), fu);
-  return std::clamp(-(cu * z0_) / safe_sqrt(1 - cu2), x0_, x1_);
+template <class Real>
+Real SphericalRectangle::sample_x(float u) const {
+  const auto real = [](double x) { return static_cast<Real>(x); };
+  const Real turn = static_cast<Real>(u) * real(solid_angle_);
+  const Real cosine = std::cos(turn), sine = std::sin(turn), b0 = real(b0_);
+  const Real kx = real(k_.x), ky = real(k_.y);
+  const Real fu = ((kx * cosine - ky * sine) * b0 - real(b1_)) / (kx * sine + ky * cosine);
+  const Real cu2 = 1 / (fu * fu + b0 * b0);
+  const Real cu = std::copysign(std::sqrt(std::min(cu2, Real(1))), fu);
+  return std::clamp(-(cu * real(z0_)) / root(1 - cu2), real(x0_), real(x1_));
+}
+
+template <class Real>
+Vec3 SphericalRectangle::sample_in(const Vec2& u) const {
+  const auto real = [](double x) { return static_cast<Real>(x); };
+  const Real x = sample_x<Real>(u.x), y0 = real(y0_), y1 = real(y1_), z0 = real(z0_);
+  const Real d2 = x * x + z0 * z0;
+  const Real h0 = y0 / std::sqrt(d2 + y0 * y0);
+  const Real h1 = y1 / std::sqrt(d2 + y1 * y1);
+  const Real h = h0 + static_cast<Real>(u.y) * (h1 - h0);
+  const Real y = std::clamp(h * std::sqrt(d2) / root((1 - h) * (1 + h)), y0, y1);
+  using Point = glm::vec<3, Real>;
+  return Vec3(Point(from_) + x * Point(x_) + y * Point(y_) + z0 * Point(z_));
 }
 
 Vec3 SphericalRectangle::sample(const Vec2& u) const {
-  const float x = sample_x(u.x);
-  const float d2 = x * x + z0_ * z0_;
-  const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
-  const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
-  const float h = h0 + u.y * (h1 - h0);
-  const float y = std::clamp(h * std::sqrt(d2) / safe_sqrt((1 - h) * (1 + h)), y0_, y1_);
-  return from_ + x * x_ + y * y_ + z0_ * z_;
+  return needs_double_ ? sample_in<double>(u) : sample_in<float>(u);
 }
 
 SphericalRectangle::Strip SphericalRectangle::strip(float u) const {
-  const float x = sample_x(u);
-  const float d2 = x * x + z0_ * z0_;
-  const float h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
-  const float h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
-  return {x - x0_, -z0_ * (h1 - h0) / (d2 * solid_angle_), y0_, d2};
+  const double x = needs_double_ ? sample_x<double>(u) : static_cast<double>(sample_x<float>(u));
+  const double d2 = x * x + z0_ * z0_;
+  const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
+  const double h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
+  return {static_cast<float>(x - x0_), static_cast<float>(-z0_ * (h1 - h0) / (d2 * solid_angle_)),
+          y0_, d2};
 }
 
 SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const Vec3& from)

@@ -38,11 +38,12 @@ struct ChordSample {
 
   // Along the chord the measure is its parameter, or y / sqrt(y^2 + line_distance^2) with y counted
   // from the foot of the point: the inner step of Ureña et al. 2013.
-  float begin;           ///< y at the chord's beginning
-  float line_distance2;  ///< from the point to the chord's line, squared
+  // Close to the light its inverse loses what float has of digits.
+  double begin;           ///< y at the chord's beginning
+  double line_distance2;  ///< from the point to the chord's line, squared
 
  private:
-  float measure(float t) const;
+  double measure(float t) const;
 };
 
 /// As sample_whole_chord, for estimators that take a point of the chord.

@@ -12,6 +12,7 @@ namespace raytracing {
 
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
+using DVec2 = glm::dvec2;
 using DVec3 = glm::dvec3;
 /// Linear RGB radiance, reflectance or throughput.
 using Rgb = glm::vec3;
@@ -24,7 +25,8 @@ using glm::normalize;
 inline float max_component(const Vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
 inline Vec3 absolute(const Vec3& v) { return {glm::abs(v.x), glm::abs(v.y), glm::abs(v.z)}; }
 /// The product of two complex numbers: of unit ones, the sum of their angles.
-inline Vec2 complex_product(const Vec2& a, const Vec2& b) {
+template <class T>
+glm::vec<2, T> complex_product(const glm::vec<2, T>& a, const glm::vec<2, T>& b) {
   return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 inline bool is_black(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }

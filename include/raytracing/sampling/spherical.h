@@ -21,29 +21,31 @@ class SphericalRectangle {
  public:
   SphericalRectangle(const Rectangle& rectangle, const Vec3& from);
 
-  /// Steradians, with an absolute error below 1e-6 (float), plus what the rounding of the place of
-  /// `from` relative to the rectangle makes when it is close to an edge. The relative error stays
-  /// below 1e-4 where the solid angle exceeds 3e-3.
-  float solid_angle() const { return solid_angle_; }
+  /// Steradians, to 1e-9 for the rectangle and `from` as they are in float.
+  double solid_angle() const { return solid_angle_; }
   /// A point of the rectangle; its direction is uniform in solid angle.
   Vec3 sample(const Vec2& u) const;
 
   /// The line x = const on which sample() puts its point for a given u.x.
   struct Strip {
-    float x;               ///< from the rectangle's corner along its x
-    float pdf_x;           ///< per unit of x
-    float y_begin;         ///< of the line's beginning, from the foot of the point along y
-    float line_distance2;  ///< from the point to the line, squared
+    float x;                ///< from the rectangle's corner along its x
+    float pdf_x;            ///< per unit of x
+    double y_begin;         ///< of the line's beginning, from the foot of the point along y
+    double line_distance2;  ///< from the point to the line, squared
   };
   Strip strip(float u) const;
 
  private:
-  float sample_x(float u) const;
+  template <class Real>
+  Real sample_x(float u) const;
+  template <class Real>
+  Vec3 sample_in(const Vec2& u) const;
 
   Vec3 from_, x_, y_, z_;
-  float x0_, y0_, z0_, x1_, y1_;
-  float b0_, b1_, solid_angle_;
-  Vec2 k_;  // (cos k, sin k)
+  double x0_, y0_, z0_, x1_, y1_;
+  double b0_, b1_, solid_angle_;
+  DVec2 k_;  // (cos k, sin k)
+  bool needs_double_;
 };
 
 /// A triangle seen from a point (Arvo 1995, section 3), in double precision.
