@@ -6,6 +6,21 @@
 #include "scene_builder.h"
 
 namespace raytracing {
+namespace {
+
+// The distribution is a defensive mixture (Hesterberg 1995): this share of it falls evenly on all
+// lights, so that no weight exceeds the light's own by far where the powerful ones are hidden.
+constexpr double kEvenShare = 0.1;
+
+DiscreteDistribution choice_by(std::vector<float> powers) {
+  double sum = 0;
+  for (const float power : powers) sum += static_cast<double>(power);
+  const double even = sum / static_cast<double>(powers.size()) * kEvenShare / (1 - kEvenShare);
+  for (float& power : powers) power += static_cast<float>(even);
+  return DiscreteDistribution(powers);
+}
+
+}  // namespace
 
 Scene::Scene(SceneDescription description, int threads, bool with_segments)
     : Scene(Builder(std::move(description)), threads, with_segments) {}
@@ -24,7 +39,7 @@ Scene::Scene(Builder&& b, int threads, bool with_segments)
     powers.push_back(light.power());
     if (!faces_anything(light)) ++notes_.averted_lights;
   }
-  light_choice_ = DiscreteDistribution(powers);
+  light_choice_ = choice_by(std::move(powers));
   if (!with_segments) return;
   std::vector<std::uint32_t> light_of_triangle;
   for (const TriangleRecord& t : triangles_) light_of_triangle.push_back(t.light);

@@ -47,7 +47,8 @@ class Scene {
   const SegmentVisibility& segments() const { return segments_; }
   const CameraDescription& camera() const { return camera_; }
   std::span<const AreaLight> lights() const { return lights_; }
-  /// Chooses a light with probability proportional to its power. There must be one.
+  /// Chooses a light with nine tenths of the probability proportional to its power and a tenth the
+  /// same for all. There must be one.
   DiscreteDistribution::Choice choose_light(float u) const { return light_choice_.sample(u); }
   std::uint32_t index_of(const AreaLight& light) const {
     return static_cast<std::uint32_t>(&light - lights_.data());
