@@ -240,6 +240,7 @@ int chart_command(const Arguments& arguments) {
   const auto asks_segments = [](const DirectMethod* m) { return m->asks_segments; };
   const bool segments = asks_segments(&reference_method(a.max_depth)) ||
                         std::any_of(a.methods.begin(), a.methods.end(), asks_segments);
+  bring_near(file.scene);
   const Scene scene(std::move(file.scene), a.threads, segments);
   print_scene_notes(scene, a.quiet, false);
   return Chart(a, settings, arguments.command_line, signals).make(scene);

@@ -122,11 +122,12 @@ int render_command(const Arguments& arguments) {
   std::optional<Outputs> outputs;
   if (!a.replay) outputs.emplace(a, file);
   const Stopwatch build_time;
+  const Vec3 origin = bring_near(file.scene);
   const Scene scene(std::move(file.scene), a.threads, options.shade.method->asks_segments);
   const double build_seconds = build_time.seconds();
   print_scene_notes(scene, a.quiet, a.strict);
   if (a.replay) {
-    fmt::print("{}", replay_text(scene, options, *a.replay));
+    fmt::print("{}", replay_text(scene, options, *a.replay, origin));
     return kExitGood;
   }
   return render_and_write(a, options, file, scene, arguments.command_line, load_seconds,

@@ -14,7 +14,7 @@ std::string text(const Vec3& v) { return fmt::format("({:.9g}, {:.9g}, {:.9g})",
 }  // namespace
 
 std::string replay_text(const Scene& scene, const RenderOptions& options,
-                        const RenderArguments::Replay& replay) {
+                        const RenderArguments::Replay& replay, const Vec3& origin) {
   if (replay.x >= options.width || replay.y >= options.height || replay.sample >= options.spp)
     throw UsageError(fmt::format("--replay: {},{},{} lies outside {}x{} pixels and {} spp",
                                  replay.x, replay.y, replay.sample, options.width, options.height,
@@ -36,7 +36,7 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
     const PathLog::Step& s = log.steps[i];
     out += fmt::format("vertex {} at {} normal {}\n  throughput {}\n  emitted {}{}\n  direct {}\n"
                        "  goes on with probability {:.9g}\n",
-                       i + 1, text(s.position), text(s.normal), text(s.throughput),
+                       i + 1, text(s.position + origin), text(s.normal), text(s.throughput),
                        text(s.emitted),
                        s.light == kNone ? "" : fmt::format(" (light {})", s.light),
                        text(s.direct), s.survival);

@@ -7,8 +7,9 @@
 namespace raytracing {
 
 /// Traces the one sample and tells its vertices and contributions. Throws UsageError when the pixel
-/// or sample lies outside the picture that `options` describes.
+/// or sample lies outside the picture that `options` describes. `origin` is what was subtracted
+/// from the scene file's positions.
 std::string replay_text(const Scene& scene, const RenderOptions& options,
-                        const RenderArguments::Replay& replay);
+                        const RenderArguments::Replay& replay, const Vec3& origin);
 
 }  // namespace raytracing

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/scene/far_scene.h"
 
 namespace raytracing {
 
@@ -23,6 +24,18 @@ void print_load_report(const LoadReport& report, const SceneFile& scene, bool qu
                report.count(LoadReport::Severity::ignored));
   if (strict && repaired + dropped > 0)
     throw InputError(fmt::format("--strict: {} records repaired, {} dropped", repaired, dropped));
+}
+
+Vec3 bring_near(SceneDescription& scene) {
+  // Of half the scene's size: far above this the rounded shapes show.
+  constexpr float kTolerable = 1e-4f;
+  const FarPlace place = far_place(scene);
+  if (place.rounding > kTolerable)
+    fmt::print(stderr, "warning: the scene lies so far from the origin of coordinates that they "
+               "are rounded to {:.1g} of its half size; store it nearer\n",
+               place.rounding);
+  move_scene(scene, place.origin);
+  return place.origin;
 }
 
 void print_scene_notes(const Scene& scene, bool quiet, bool strict) {

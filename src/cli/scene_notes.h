@@ -9,7 +9,11 @@ namespace raytracing {
 /// Throws InputError when `strict` and anything was repaired or dropped.
 void print_load_report(const LoadReport& report, const SceneFile& scene, bool quiet, bool strict);
 
-/// The same for building the scene.
+/// Moves a scene that lies far from the origin of coordinates there, and returns what it subtracted
+/// from all positions. Warns on stderr when the scene's own coordinates had no digits left.
+Vec3 bring_near(SceneDescription& scene);
+
+/// The same as print_load_report for building the scene.
 void print_scene_notes(const Scene& scene, bool quiet, bool strict);
 
 }  // namespace raytracing

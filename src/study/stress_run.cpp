@@ -11,7 +11,9 @@
 #include <thread>
 
 #include "raytracing/integrator/shade.h"
+#include "raytracing/scene/far_scene.h"
 #include "raytracing/study/power_law.h"
+#include "stress_maker.h"
 
 namespace raytracing {
 namespace {
@@ -100,7 +102,9 @@ Verdict verdict(const StressCell& cell, double critical_z) {
 
 std::vector<StressCell> measure_setting(const StressCase& c, const StressSetting& setting,
                                         const StressPlan& plan, double critical_z) {
-  const StressScene stress = setting.make();
+  const StressScene made = setting.make();
+  // As for any scene that is rendered.
+  const StressScene stress = stress::transformed(made, 1, -far_place(made.scene).origin);
   const Scene scene(stress.scene, 1);
   const auto hit = scene.geometry().closest_hit(stress.ray);
   if (!hit) throw std::runtime_error(fmt::format("{} {}: no receiver", c.name, setting.label));
@@ -211,8 +215,8 @@ std::vector<const StressCell*> StressResult::failures() const {
 std::string stress_rule(double critical_z) {
   return fmt::format(
       "broken: a sample is not finite or below 0. biased: |z| > {:.2f} in two independent "
-      "measurements, where z is the bias beyond rounding ({:g} of the truth, and what moving the "
-      "shadow to the origin of the shadow rays changes) over its standard error, corrected for "
+      "measurements, where z is the bias beyond rounding ({:g} of the truth, and what it changes "
+      "to begin shadow rays where they begin, and to move the occluders by 4 float roundings) over its standard error, corrected for "
       "skewness; not said where one sample holds {:g} % of the sum or more, or where pixels are "
       "dark and the visible part of the lights is too small for a uniform point to hit it {:g} "
       "times, since the mean then hangs on what was not met yet. Unbiased methods "

@@ -15,8 +15,12 @@ const std::string kCamera =
 const std::string kRoom =
     "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
     "f 1 2 3 4\nf 6 5 8 7\nf 2 6 7 3\nf 5 1 4 8\nf 5 6 2 1\nf 4 3 7 8\n";
-const std::string kModel = "[[models]]\nobj = 'room.obj'\nmaterial = 'wall'\n"
-                           "[[models]]\nobj = 'light.obj'\nmaterial = 'light'\n";
+// With `place` further lines of both models.
+std::string model(const std::string& place = "") {
+  return "[[models]]\nobj = 'room.obj'\nmaterial = 'wall'\n" + place +
+         "[[models]]\nobj = 'light.obj'\nmaterial = 'light'\n" + place;
+}
+const std::string kModel = model();
 const std::string kDown = "v -.5 .9 -.5\nv .5 .9 -.5\nv .5 .9 .5\nv -.5 .9 .5\nf 1 2 3 4\n";
 
 std::string materials(const std::string& reflectance, const std::string& emission) {
@@ -54,6 +58,26 @@ TEST_F(Extremes, ARoomThatAbsorbsNothingEnds) {
     EXPECT_GT(mean(), 0.2);
     EXPECT_EQ(at_.json("s.json")["rays_escaped"], 0) << "lost in a closed room: " << method.name;
   }
+}
+
+// There the floats lie 1/4 apart, which states this room exactly and leaves rays no digits.
+TEST_F(Extremes, FarFromTheOriginIsAsNear) {
+  at_.folder.write("room.obj", kRoom);
+  at_.folder.write("light.obj", kDown);
+  ASSERT_EQ(render(kCamera + materials("0.5", "1") + kModel).exit_code, 0);
+  const std::vector<float> near = read_image(at_.folder / "s.exr").values;
+  const std::string camera = "[film]\nwidth = 6\nheight = 6\n[camera]\norigin = "
+                             "[2097152,0,-1048576]\ntarget = [2097152,0.1,-1048577]\n";
+  const RunResult run =
+      render(camera + materials("0.5", "1") + model("translate = [2097152, 0, -1048576]\n"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("warning: the scene lies so far from the origin of coordinates that they "
+                         "are rounded to 0.2 of its half size; store it nearer\n"),
+            std::string::npos) << run.err;
+  EXPECT_EQ(read_image(at_.folder / "s.exr").values, near);
+  const RunResult replay =
+      at_.run({"s.toml", "--spp=16", "--replay=3,3,0", "--quiet"});
+  EXPECT_NE(replay.out.find("vertex 1 at (209715"), std::string::npos) << replay.out;
 }
 
 TEST_F(Extremes, BrightLightsScaleAndStayFinite) {
