@@ -1,6 +1,8 @@
 #include "raytracing/study/exact_polygons.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace raytracing {
 namespace {
@@ -14,10 +16,19 @@ struct Box {
       high = glm::max(high, corner);
     }
   }
+  // Not to the last digit: polygons of one plane may differ in it across the plane.
   bool meets(const Box& other) const {
+    constexpr long double kRounding = 1e-12L;
+    const long double slack = kRounding * std::max(size(), other.size());
     for (int i = 0; i < 3; ++i)
-      if (low[i] > other.high[i] || high[i] < other.low[i]) return false;
+      if (low[i] > other.high[i] + slack || high[i] < other.low[i] - slack) return false;
     return true;
+  }
+
+ private:
+  long double size() const {
+    const LVec3 largest = glm::max(glm::abs(low), glm::abs(high));
+    return std::max({largest.x, largest.y, largest.z});
   }
 };
 
@@ -27,16 +38,45 @@ bool has_area(const LPolygon& polygon) {
   return dot(twice_area, twice_area) > 0;
 }
 
+struct Piece {
+  LPolygon polygon;
+  Box box;
+  explicit Piece(LPolygon p) : polygon(std::move(p)), box(polygon) {}
+};
+
 // The part of `polygon` outside the window, piece by piece: behind its first edge, behind its
 // second but not its first, and so on.
-void append_outside(LPolygon polygon, const LPolygon& window, std::vector<LPolygon>& pieces) {
+void append_outside(LPolygon polygon, const LPolygon& window, std::vector<Piece>& pieces) {
   for (std::size_t i = 0; i < window.size(); ++i) {
     const LVec3 in = inward(window, i);
     LPolygon outside = clip(polygon, window[i], -in);
-    if (has_area(outside)) pieces.push_back(std::move(outside));
+    if (has_area(outside)) pieces.emplace_back(std::move(outside));
     polygon = clip(polygon, window[i], in);
     if (!has_area(polygon)) return;
   }
+}
+
+// Takes the window away from the pieces. Those that it does not touch stay where they are.
+void subtract(std::vector<Piece>& pieces, const LPolygon& window) {
+  if (!has_area(window)) return;
+  const Box box(window);
+  std::vector<Piece> rest;
+  for (std::size_t i = 0; i < pieces.size();) {
+    if (!pieces[i].box.meets(box)) {
+      ++i;
+      continue;
+    }
+    append_outside(std::move(pieces[i].polygon), window, rest);
+    std::swap(pieces[i], pieces.back());
+    pieces.pop_back();
+  }
+  std::move(rest.begin(), rest.end(), std::back_inserter(pieces));
+}
+
+std::vector<LPolygon> polygons_of(std::vector<Piece> pieces) {
+  std::vector<LPolygon> polygons;
+  for (Piece& piece : pieces) polygons.push_back(std::move(piece.polygon));
+  return polygons;
 }
 
 // Between p, where nothing is thrown a shadow, and the plane of the light.
@@ -50,30 +90,20 @@ LPolygon between(const LPolygon& occluder, const LVec3& p, const LPolygon& light
 }  // namespace
 
 std::vector<LPolygon> difference(const std::vector<LPolygon>& polygons, const LPolygon& window) {
-  std::vector<LPolygon> pieces;
-  if (!has_area(window)) return polygons;
-  const Box box(window);
-  for (const LPolygon& polygon : polygons) {
-    if (Box(polygon).meets(box)) {
-      append_outside(polygon, window, pieces);
-    } else {
-      pieces.push_back(polygon);
-    }
-  }
-  return pieces;
+  std::vector<Piece> pieces(polygons.begin(), polygons.end());
+  subtract(pieces, window);
+  return polygons_of(std::move(pieces));
 }
 
 std::vector<LPolygon> visible_pieces(const LPolygon& light, std::span<const LPolygon> occluders,
                                      const LVec3& p) {
-  std::vector<LPolygon> pieces{light};
-  const Box whole(light);
+  std::vector<Piece> pieces{Piece(light)};
   for (const LPolygon& occluder : occluders) {
     const LPolygon hiding = between(occluder, p, light);
     if (!has_area(hiding)) continue;
-    const LPolygon dark = shadow(hiding, p, light);
-    if (Box(dark).meets(whole)) pieces = difference(pieces, dark);
+    subtract(pieces, shadow(hiding, p, light));
   }
-  return pieces;
+  return polygons_of(std::move(pieces));
 }
 
 }  // namespace raytracing

@@ -16,12 +16,15 @@ StressScene aspect(float ratio) {
   return maker.scene;
 }
 
-// The light keeps its size; the occluder stays half way.
+// The light keeps its size; the occluder stays half way, its shadow edge above the receiver, where
+// a near light is brightest.
 StressScene distance(float d) {
+  const float near = std::min(d, 1.0f);
   Maker maker(kGrey, kView, std::min(0.01f, 0.2f * d));
-  const Vec3 center(0.113f, 0.043f, d);
-  maker.add_light(parallelogram(center, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
-  maker.add_occluder(edge_occluder(d / 2, center, 0.5f, 0.01f * std::min(d, 1.0f)));
+  maker.add_light(
+      parallelogram({0.113f, 0.043f, d}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
+  const Vec3 target = kPoint + Vec3(0.1f * near, 0.05f * near, d);
+  maker.add_occluder(edge_occluder(d / 2, target, 0.5f, 0.01f * near, 0.5f));
   return maker.scene;
 }
 

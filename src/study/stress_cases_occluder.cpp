@@ -14,7 +14,7 @@ constexpr Vec3 kCenter{0.113f, 0.043f, 1.0f};
 StressScene contact(float gap) {
   Maker maker(kGrey, kView, std::min(0.01f, 0.2f * gap));
   maker.add_light(parallelogram(1.5f * kCenter, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
-  maker.add_occluder(edge_occluder(gap, 1.5f * kCenter, 0.5f, 0.02f * gap));
+  maker.add_occluder(edge_occluder(gap, 1.5f * kCenter, 0.5f, 0.02f * gap, 0.5f));
   return maker.scene;
 }
 

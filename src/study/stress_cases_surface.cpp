@@ -81,7 +81,7 @@ std::vector<StressCase> surface_cases() {
        "convention", settings({0, 10, 30, 60, 80}, terminator)},
       {"albedo", kFamily, "reflectance of a closed room that emits 1, all bounces",
        "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
-       settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99}, albedo)},
+       settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},
   };
 }
 

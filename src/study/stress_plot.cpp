@@ -28,9 +28,14 @@ std::string mark(Verdict verdict) {
   return "BROKEN";
 }
 
+// Short: one digit, and no exponent where it is not needed.
+std::string number(double rmse) {
+  return rmse < 9.5 ? fmt::format("{:.1g}", rmse) : fmt::format("{:.0f}", rmse);
+}
+
 // x, y, colour, two lines of text.
 std::string row(std::size_t x, std::size_t y, double rmse, const std::string& mark) {
-  return fmt::format("{} {} {:.4f} \"{:.1g}\" \"{}\"\n", x, y, colour(rmse), rmse, mark);
+  return fmt::format("{} {} {:.4f} \"{}\" \"{}\"\n", x, y, colour(rmse), number(rmse), mark);
 }
 
 std::string case_block(const StressTable& table) {
@@ -67,10 +72,16 @@ std::string tics(const std::vector<std::string>& names) {
   return text;
 }
 
-std::vector<std::string> method_labels(const StressTable& table) {
+std::vector<std::string> method_names(const StressTable& table) {
   std::vector<std::string> names;
-  for (const DirectMethod* method : table.methods)
-    names.push_back(fmt::format("{}{}", method->name, method->unbiased ? "" : " (biased)"));
+  for (const DirectMethod* method : table.methods) names.emplace_back(method->name);
+  return names;
+}
+
+std::vector<std::string> method_labels(const StressTable& table) {
+  std::vector<std::string> names = method_names(table);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!table.methods[i]->unbiased) names[i] += " (biased)";
   return names;
 }
 
@@ -80,9 +91,9 @@ std::string panel(std::size_t index, const std::vector<std::string>& x,
       "set title \"{}\" noenhanced\n"
       "set xrange [-0.5:{}.5]\nset yrange [{}.5:-0.5]\nset xtics ({})\nset ytics ({})\n"
       "plot 'stress.dat' index {} using 1:2:($1-0.5):($1+0.5):($2-0.5):($2+0.5):3 with "
-      "boxxyerror fs solid fc palette notitle, \\\n"
-      "  '' index {} using 1:2:4 with labels offset 0,0.45 notitle, \\\n"
-      "  '' index {} using 1:2:5 with labels offset 0,-0.55 font ',11' notitle\n",
+      "boxxyerror fs solid border lc rgb 'white' fc palette notitle, \\\n"
+      "  '' index {} using 1:2:4 with labels offset 0,0.4 notitle, \\\n"
+      "  '' index {} using 1:2:5 with labels offset 0,-0.6 font ',9' notitle\n",
       title, x.size() - 1, y.size() - 1, tics(x), tics(y), index, index, index);
 }
 
@@ -100,7 +111,11 @@ set palette defined (-4 '#f2f7fc', -2 '#b9d4ec', -1 '#fee08b', 0 '#f4814f', 0.5 
 set cbrange [-4:0.5]
 set format cb '10^{%g}'
 set cbtics 1
-set cblabel 'relative RMSE of 64 samples'
+set cblabel 'RMSE / truth, N = 64'
+set lmargin 20
+set rmargin 14
+set tmargin 2.5
+set bmargin 2
 set tics nomirror scale 0 noenhanced
 set border lc rgb '#888888'
 unset key
@@ -108,10 +123,10 @@ unset key
 
 // Both kinds of file, on white, also where the page around is dark.
 std::string draw(const std::string& name, int width, int height, const std::string& commands) {
-  std::string text = fmt::format("\nset terminal svg size {},{} font 'sans,13' background rgb "
+  std::string text = fmt::format("\nset terminal svg size {},{} font 'sans,12' background rgb "
                                  "'white'\nset output '{}.svg'\n{}unset output\n",
                                  width, height, name, commands);
-  return text + fmt::format("set terminal pngcairo size {},{} font 'sans,13' background rgb "
+  return text + fmt::format("set terminal pngcairo size {},{} font 'sans,12' background rgb "
                             "'white'\nset output '{}.png'\n{}unset output\n",
                             width, height, name, commands);
 }
@@ -139,9 +154,11 @@ std::string stress_plot_script(const StressResult& result) {
   std::string text = kScriptHead;
   std::vector<std::string> cases;
   for (const StressTable& table : tables) cases.emplace_back(table.stress_case->name);
-  constexpr int kWidth = 1000, kRow = 38, kPanelRest = 80;
-  text += draw("stress", kWidth, kRow * static_cast<int>(tables.size()) + kPanelRest,
-               panel(tables.size(), method_labels(tables[0]), cases,
+  constexpr int kWidth = 1000, kRow = 46, kPanelRest = 90;
+  constexpr int kFewestRows = 4;  // for the colours' scale
+  const int rows = std::max(static_cast<int>(tables.size()), kFewestRows);
+  text += draw("stress", kWidth, kRow * rows + kPanelRest,
+               panel(tables.size(), method_names(tables[0]), cases,
                      "each case at its worst setting; in how many settings of how many"));
   for (std::size_t first = 0; first < tables.size();) {
     const std::string_view family = tables[first].stress_case->family;

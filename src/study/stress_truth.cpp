@@ -52,8 +52,8 @@ constexpr std::array kFine{
     Node{0.59171732124782490, 0.18134189168918099}, Node{0.76276620495816450, 0.15685332293894364},
     Node{0.89833323870681336, 0.11119051722668724}, Node{0.98014492824876812, 0.05061426814518813}};
 
-// A part of the triangle (a, b, c) in the coordinates a + s (b - a + t (c - b)), in which the corner
-// a is an edge: a peak there is met by cells of its own size.
+// A part of the triangle (a, b, c) in the coordinates a + s (b - a + t (c - b)), in which the
+// corner a is an edge: a peak there is met by cells of its own size.
 struct Cell {
   DVec3 a, b, c;
   double s0, s1, t0, t1;
@@ -127,6 +127,9 @@ double area(std::span<const LPolygon> pieces) {
 struct Seen {
   double radiance = 0;
   double power = 0, whole_power = 0;  // of the visible polygons and of the lights; up to a factor
+  double share = 0;                   // of the lights' areas that is seen, their mean
+
+  double visible_share() const { return 0.9 * power / whole_power + 0.1 * share; }
 };
 
 // What the vertex reflects of the light that the point `eye` sees.
@@ -148,6 +151,7 @@ Seen seen_from(const StressScene& scene, const Vertex& vertex, const LVec3& eye)
     if (dot(eye - whole[0], n) * dot(p - whole[0], n) <= 0) continue;
     const std::vector<LPolygon> pieces = visible_pieces(above, occluders, eye);
     seen.power += light.Le * area(pieces);
+    seen.share += area(pieces) / area({&whole, 1}) / static_cast<double>(scene.lights.size());
     if (const auto* diffuse = std::get_if<Diffuse>(vertex.material)) {
       seen.radiance += light.Le * diffuse->reflectance.x * lambert_radiance(pieces, p, ns);
     } else {
@@ -157,6 +161,17 @@ Seen seen_from(const StressScene& scene, const Vertex& vertex, const LVec3& eye)
     }
   }
   return seen;
+}
+
+// Ray casters take the corners relative to the ray's origin, and round them and their products.
+constexpr long double kRoundings = 4;
+
+// Half the spacing of floats as large as the largest coordinate, or a little less.
+long double float_rounding(const std::vector<std::vector<Vec3>>& polygons) {
+  float largest = 0;
+  for (const std::vector<Vec3>& polygon : polygons)
+    for (const Vec3& corner : polygon) largest = std::max(largest, max_component(absolute(corner)));
+  return 0x1p-24L * static_cast<long double>(largest);
 }
 
 }  // namespace
@@ -214,9 +229,21 @@ double ggx_radiance(std::span<const LPolygon> pieces, const LVec3& p, const DVec
 StressTruth exact_radiance(const StressScene& scene, const Vertex& vertex) {
   if (scene.radiance) return {*scene.radiance, 0, 1};
   const Seen truth = seen_from(scene, vertex, LVec3(vertex.position));
-  const Seen rounded = seen_from(scene, vertex, LVec3(vertex.ray_origin()));
-  return {truth.radiance, std::abs(rounded.radiance - truth.radiance),
-          truth.power / truth.whole_power};
+  const LVec3 origin(vertex.ray_origin());
+  double rounding = 0;
+  const auto look_from = [&](const LVec3& eye) {
+    const double seen = seen_from(scene, vertex, eye).radiance;
+    rounding = std::max(rounding, std::abs(seen - truth.radiance));
+  };
+  look_from(origin);
+  const long double shift = kRoundings * float_rounding(scene.occluders);
+  for (int axis = 0; axis < 3 && shift > 0; ++axis) {
+    LVec3 eye = origin;
+    eye[axis] += shift;
+    look_from(eye);
+  }
+  return {truth.radiance, rounding,
+          truth.visible_share()};
 }
 
 }  // namespace raytracing

@@ -67,6 +67,20 @@ TEST(ExactPolygons, DifferenceTakesAwayTheCommonPart) {
   EXPECT_NEAR(static_cast<double>(area(difference({whole}, window))), 1.5, 1e-15);
 }
 
+// In a plane that no coordinate of the shadow meets to the last digit, from wherever it is thrown.
+TEST(ExactPolygons, ShadowsOnAPlaneAcrossAnAxis) {
+  TestRandom random(4);
+  const LPolygon light = rectangle(-1, 1, -1, 1, 0.1f);
+  const LPolygon occluder = rectangle(-4, 0, -4, 4, 0.05f);
+  for (int i = 0; i < 1000; ++i) {
+    const LVec3 p(0.01L, 0, random.between(-1e-6f, 1e-6f));
+    const LPolygon occluders[]{occluder};
+    const long double edge = 0.01L * (1 - (0.1f - p.z) / (0.05f - p.z));
+    EXPECT_NEAR(static_cast<double>(area(visible_pieces(light, occluders, p))),
+                static_cast<double>(2 * (1 - edge)), 1e-12) << i;
+  }
+}
+
 // Overlapping occluders at several heights, some of them partly behind the point or the light,
 // against rays: each point of a grid on the light is in as many pieces as it is seen, one or none.
 TEST(ExactPolygons, VisiblePiecesAgreeWithRays) {

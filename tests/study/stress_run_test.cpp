@@ -83,12 +83,37 @@ TEST(StressRun, NegativeSamplesAreBroken) {
 }
 
 TEST(StressRun, DoesNotJudgeWhatItDidNotMeet) {
-  // The visible light is chosen once in a million times.
-  const StressResult result = run(plan({"bright-pair"}, {&point()}));
+  // All light comes from one corner of the light, which few of the points meet.
+  const StressResult result = run(plan({"light-corner"}, {&point()}));
   const StressCell& last = result.cells.back();
   EXPECT_FALSE(last.resolved());
   EXPECT_EQ(last.verdict, Verdict::noisy);
   EXPECT_TRUE(result.failures().empty());
+}
+
+// A fixed bound of the survival of 0.95 has an infinite variance in rooms that keep more than 0.975
+// of the light at a bounce: relative errors about 1.
+TEST(StressRun, RouletteSparesBrightRooms) {
+  const StressResult result = run(plan({"albedo"}, {find_direct_method("solid-angle")}));
+  const StressCell& bright = result.cells[6];
+  ASSERT_EQ(bright.setting->label, "0.99");
+  EXPECT_LT(bright.relative_rmse(), 0.3);
+  EXPECT_LT(std::abs(bright.relative_bias()), 0.06);
+  EXPECT_TRUE(result.failures().empty());
+}
+
+// A hidden light, however bright, takes no more than nine tenths of the choices.
+TEST(StressRun, HiddenBrightLightsLeaveTheOthersTheirShare) {
+  const StressResult result = run(plan({"bright-pair"}, {&point(), find_direct_method("line")}));
+  for (const StressCell& cell : result.cells)
+    EXPECT_LT(cell.relative_rmse(), 0.6) << cell.setting->label;
+  EXPECT_TRUE(result.failures().empty());
+}
+
+TEST(StressRun, FarFromTheOriginAllHolds) {
+  const StressResult result = run(plan({"offset"}, {&point(), find_direct_method("line")}));
+  for (const StressCell& cell : result.cells)
+    EXPECT_EQ(cell.verdict, Verdict::holds) << cell.setting->label;
 }
 
 TEST(StressRun, IsTheSameForAnyNumberOfThreads) {

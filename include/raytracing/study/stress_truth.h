@@ -8,10 +8,12 @@ namespace raytracing {
 /// The exact radiance of a stress scene at one vertex.
 struct StressTruth {
   double radiance;
-  /// How much it changes when shadows are those at the origin of the shadow rays, off the surface
-  /// by the few float spacings that rounding asks for: what geometry in float32 leaves open.
+  /// How much it changes at most when shadows are those at the origin of the shadow rays, off the
+  /// surface by the few float spacings that rounding asks for, and when the occluders move against it
+  /// by four roundings of their own coordinates: what rays in float32 leave open.
   double rounding;
-  /// The probability that a point uniform in the area of a light chosen by power is seen.
+  /// The probability that a point uniform in the area of a light is seen, with the light chosen as
+  /// the renderer does: a tenth evenly, the rest by power.
   double visible_share;
 };
 
