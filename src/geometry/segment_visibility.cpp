@@ -53,19 +53,33 @@ struct PlanePoints {
           a.depth + s * (b.depth - a.depth)};
 }
 
-// One corner of eight triangles: its place along the plane and its signed distance from it.
+// Eight points of space, from p.
+struct Points {
+  Lanes x, y, z;
+};
+
+[[gnu::always_inline]] inline Points select(const Mask& mask, const Points& yes,
+                                            const Points& no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+
+// One corner of eight triangles and its signed distance from the plane.
 struct Corners {
-  PlanePoints at;
+  Points at;
   Lanes e;
 };
 
 // Where the edges between a and b meet the plane. Always from the side e >= 0 to the other: the two
-// triangles that share an edge get the same point, and nothing shines through between them.
-[[gnu::always_inline]] inline PlanePoints crossing(const Corners& a, const Corners& b) {
+// triangles that share an edge get the same point, and nothing shines through between them. In
+// space: the plane's coordinates of corners far from it are large where the segment is near, and
+// their rounding would be that of t.
+[[gnu::always_inline]] inline Points crossing(const Corners& a, const Corners& b) {
   const Mask a_above = a.e >= 0;
-  const PlanePoints above = select(a_above, a.at, b.at), below = select(a_above, b.at, a.at);
+  const Points above = select(a_above, a.at, b.at), below = select(a_above, b.at, a.at);
   const Lanes e_above = select(a_above, a.e, b.e), e_below = select(a_above, b.e, a.e);
-  return mix(above, below, e_above / (e_above - e_below));
+  const Lanes s = e_above / (e_above - e_below);
+  return {above.x + s * (below.x - above.x), above.y + s * (below.y - above.y),
+          above.z + s * (below.z - above.z)};
 }
 
 // Whether the planes of eight triangles, with corners given from p, separate p from some of the
@@ -237,9 +251,9 @@ void SegmentVisibility::subtract_block(const Block& block, const Query& query,
     depth[corner] = dot(query.depth.n, x[corner], y[corner], z[corner]);
     e[corner] = dot(query.plane.n, x[corner], y[corner], z[corner]);
   }
-  const Corners corners[3] = {{{alpha[0], beta[0], depth[0]}, e[0]},
-                              {{alpha[1], beta[1], depth[1]}, e[1]},
-                              {{alpha[2], beta[2], depth[2]}, e[2]}};
+  const Corners corners[3] = {{{x[0], y[0], z[0]}, e[0]},
+                              {{x[1], y[1], z[1]}, e[1]},
+                              {{x[2], y[2], z[2]}, e[2]}};
   const Mask above[3] = {e[0] >= 0, e[1] >= 0, e[2] >= 0};
   const Mask crosses = (above[0] || above[1] || above[2]) && !(above[0] && above[1] && above[2]);
   const Mask inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
@@ -251,9 +265,15 @@ void SegmentVisibility::subtract_block(const Block& block, const Query& query,
   if (simd::none_of(may_hide)) return;
 
   // Two of the three edges cross the plane.
-  const PlanePoints on_12 = crossing(corners[1], corners[2]);
-  PlanePoints c = select(above[0] != above[1], crossing(corners[0], corners[1]), on_12);
-  PlanePoints d = select(above[2] != above[0], crossing(corners[2], corners[0]), on_12);
+  const auto in_plane = [&query](const Points& q) {
+    return PlanePoints{dot(query.alpha, q.x, q.y, q.z), dot(query.beta, q.x, q.y, q.z),
+                       dot(query.depth.n, q.x, q.y, q.z)};
+  };
+  const Points on_12 = crossing(corners[1], corners[2]);
+  PlanePoints c =
+      in_plane(select(above[0] != above[1], crossing(corners[0], corners[1]), on_12));
+  PlanePoints d =
+      in_plane(select(above[2] != above[0], crossing(corners[2], corners[0]), on_12));
   Mask gone = !may_hide;
   gone = gone || clip(c, d, c.alpha, d.alpha, &PlanePoints::alpha);
   gone = gone || clip(c, d, c.beta, d.beta, &PlanePoints::beta);
