@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_info.h"
+#include "raytracing/render/pixel_groups.h"
 
 namespace raytracing {
 namespace {
@@ -36,6 +37,15 @@ std::string variance_kind(const RenderRecord& r) {
   return r.options.sampler == SamplerKind::independent
              ? "between independent samples: honest"
              : "between samples as if they were independent: too large for sobol";
+}
+
+// What the variances of single pixels do not tell, for people.
+std::string correlation_kind(const RenderRecord& r) {
+  if (r.options.reuse == 1 || r.options.shade.max_depth == 1u)
+    return "none: the samples of different pixels are independent";
+  return fmt::format("errors of pixels less than {} apart are alike: means over regions vary more "
+                     "than the variances of their pixels say",
+                     PixelGroups::kStride * r.options.reuse);
 }
 
 // Of a single sample or replicate nothing is known: not even a wide interval is wide enough.
@@ -101,7 +111,9 @@ ImageData to_image(const RenderRecord& r, bool variance) {
       if (variance) append(variance_layer(film.at(x, y)));
     }
   image.metadata = metadata(r);
-  if (variance) image.metadata.emplace_back("varianceKind", variance_kind(r));
+  if (!variance) return image;
+  image.metadata.emplace_back("varianceKind", variance_kind(r));
+  image.metadata.emplace_back("pixelCorrelation", correlation_kind(r));
   return image;
 }
 
@@ -117,6 +129,7 @@ std::string stats_json(const RenderRecord& r) {
   j["replicates"] = r.options.replicates;
   j["reuse"] = r.options.reuse;
   j["variance_kind"] = variance_kind(r);
+  j["pixel_correlation"] = correlation_kind(r);
   j["width"] = r.options.width;
   j["height"] = r.options.height;
   j["max_depth"] = nullptr;

@@ -178,6 +178,20 @@ TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
   EXPECT_NE(kind({"--variance", "--sampler", "independent"}).find("honest"), std::string::npos);
 }
 
+TEST(Effects, HeaderTellsWhetherPixelsAreIndependent) {
+  const CliFolder folder;
+  const auto correlation = [&](std::vector<std::string> options) {
+    options.insert(options.end(), {"--quiet", "--variance", "-o", "x.exr", "--stats", "s.json"});
+    EXPECT_EQ(folder.render(options).exit_code, 0);
+    const auto text = read_with_oiio(folder.folder / "x.exr").attribute("pixelCorrelation");
+    EXPECT_EQ(folder.json("s.json")["pixel_correlation"], text);
+    return text;
+  };
+  EXPECT_EQ(correlation({"--reuse", "1"}).substr(0, 5), "none:");
+  EXPECT_EQ(correlation({"--reuse", "8", "--max-depth", "1"}).substr(0, 5), "none:");
+  EXPECT_NE(correlation({"--reuse", "8"}).find("less than 16 apart"), std::string::npos);
+}
+
 TEST(Effects, ProgressLinesAreJsonAndNeverEndEarly) {
   const CliFolder folder;
   const RunResult run = folder.render({"--progress", "jsonl", "--width", "100", "--height", "100",

@@ -1,5 +1,6 @@
-// Sharing paths changes the noise and not the picture: means of regions with and without it. The
-// errors of neighbouring pixels are alike, so the spread is that between pictures of other seeds.
+// Sharing paths changes the noise and not the picture: means of pictures, regions and pixels with and
+// without it. The errors of neighbouring pixels are alike, so the spread is that between pictures of
+// other seeds.
 
 #include <gtest/gtest.h>
 
@@ -15,14 +16,13 @@ namespace raytracing {
 namespace {
 
 constexpr int kPictures = 100;
-constexpr int kRegions = 3;  // along each edge
 
 RenderOptions options_of(const std::string& method, int reuse,
                          std::optional<std::uint32_t> max_depth) {
   RenderOptions options;
   options.width = 26;  // no multiple of any group
   options.height = 22;
-  options.spp = 4;
+  options.spp = 16;
   options.reuse = reuse;
   options.shade.method = find_direct_method(method);
   options.shade.max_depth = max_depth;
@@ -30,24 +30,38 @@ RenderOptions options_of(const std::string& method, int reuse,
   return options;
 }
 
-/// By region and channel, the means of pictures of different seeds.
+/// Sums over the whole picture and over each of `columns` x `rows` regions.
+std::vector<DVec3> sums_of(const Film& film, int columns, int rows) {
+  std::vector<DVec3> sums(columns * rows + 1, DVec3(0.0));
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      const DVec3 mean = film.at(x, y).mean();
+      sums[0] += mean;
+      sums[1 + y * rows / film.height() * columns + x * columns / film.width()] += mean;
+    }
+  return sums;
+}
+
+/// By region and channel, such sums of pictures of different seeds.
 std::vector<RunningStats> measure(const Scene& scene, RenderOptions options,
-                                  std::uint64_t first_seed) {
-  std::vector<RunningStats> stats(3 * kRegions * kRegions);
+                                  std::uint64_t first_seed, int columns = 3, int rows = 3) {
+  std::vector<RunningStats> stats;
   for (int i = 0; i < kPictures; ++i) {
     options.seed = first_seed + i;
     const std::atomic<bool> stop = false;
     const RenderResult result = render(scene, options, stop, {});
     EXPECT_EQ(result.non_finite_samples, 0u);
-    std::vector<DVec3> sums(kRegions * kRegions, DVec3(0.0));
-    for (int y = 0; y < options.height; ++y)
-      for (int x = 0; x < options.width; ++x)
-        sums[y * kRegions / options.height * kRegions + x * kRegions / options.width] +=
-            result.film.at(x, y).mean();
+    const std::vector<DVec3> sums = sums_of(result.film, columns, rows);
+    stats.resize(3 * sums.size());
     for (std::size_t region = 0; region < sums.size(); ++region)
       for (int c = 0; c < 3; ++c) stats[3 * region + c].add(sums[region][c]);
   }
   return stats;
+}
+
+Scene shipped_scene(const std::string& path) {
+  LoadReport report;
+  return Scene(load_scene_file(path, direct_method_names(), report).scene, 2);
 }
 
 void compare(const std::string& name, const Scene& scene, const std::string& method,
@@ -70,10 +84,28 @@ TEST(ReuseMeans, AreThoseWithoutOnEveryScene) {
     if (entry.path().extension() == ".toml") paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   ASSERT_GE(paths.size(), 7u);
-  for (const std::filesystem::path& path : paths) {
-    LoadReport report;
-    const Scene scene(load_scene_file(path.string(), direct_method_names(), report).scene, 2);
-    compare(path.stem().string(), scene, "solid-angle", {4}, std::nullopt, p_values);
+  for (const std::filesystem::path& path : paths)
+    compare(path.stem().string(), shipped_scene(path.string()), "solid-angle", {4}, std::nullopt,
+            p_values);
+  p_values.expect_all();
+}
+
+// 6400 samples of each pixel.
+TEST(ReuseMeans, AreThoseWithoutInEveryPixel) {
+  PValues p_values;
+  for (const std::string name : {"cornell", "glossy"}) {
+    const Scene scene = shipped_scene(RAYTRACING_SOURCE_DIR "/scenes/" + name + ".toml");
+    const auto measure_pixels = [&](int reuse) {
+      RenderOptions options = options_of("point", reuse, std::nullopt);
+      options.width = options.height = 32;
+      options.spp = 64;
+      return measure(scene, options, 1000 * reuse, 32, 32);
+    };
+    const auto off = measure_pixels(1), on = measure_pixels(4);
+    for (std::size_t i = 3; i < on.size(); ++i)
+      p_values.add(name + ", pixel " + std::to_string(i / 3 - 1) + ", channel " +
+                       std::to_string(i % 3),
+                   same_mean_p_value(off[i], on[i]));
   }
   p_values.expect_all();
 }
