@@ -202,7 +202,7 @@ TEST(SphericalRectangle, InItsPlaneIsFiniteOrFull) {
   for (float z : {0.0f, -0.0f, 1e-30f, 1e-10f})
     for (float x : {-1.0f, 0.0f, 1.0f, 2.0f, 3.0f})
       for (float y : {-1.0f, 0.0f, 0.5f, 1.0f, 2.0f}) {
-        const float solid_angle = SphericalRectangle(r, {x, y, z}).solid_angle();
+        const double solid_angle = SphericalRectangle(r, {x, y, z}).solid_angle();
         EXPECT_FALSE(std::isnan(solid_angle)) << x << " " << y << " " << z;
       }
 }
