@@ -182,11 +182,18 @@ class Job {
   Rgb finite(const Rgb& radiance, int x, int y, std::uint64_t sample, Share& share) {
     ++share.paths;
     if (is_finite(radiance)) return radiance;
+    if (shared_) log_alone(x, y, sample, share);
     const NonFiniteCause cause = non_finite_cause(share.log);
     ++share.non_finite[static_cast<std::size_t>(cause)];
     share.named.push_back({x, y, sample, cause});
     keep_first(share.named);
     return Rgb(0.0f);
+  }
+
+  // The log of a group is that of one of its pixels.
+  void log_alone(int x, int y, std::uint64_t sample, Share& share) {
+    Visibility uncounted(scene_);
+    trace_sample(scene_, camera_, options_, x, y, sample, uncounted, share.log);
   }
 
   void report(Share& share) {

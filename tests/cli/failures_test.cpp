@@ -53,29 +53,33 @@ TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
   folder.folder.write("m.obj",
                       "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
                       "v -1 1 1\nf 1 2 3 4\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
-  const std::vector<std::string> lax = {"s.toml", "--spp", "4", "--stats", "s.json"};
-  const RunResult run = folder.run(lax);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.err.find("--replay "), std::string::npos) << run.err;
-  const nlohmann::json stats = folder.json("s.json");
-  EXPECT_GT(stats["non_finite_samples"], 0);
-  std::uint64_t causes = 0;
-  for (const auto& [cause, count] : stats["non_finite_by_cause"].items())
-    causes += count.get<std::uint64_t>();
-  EXPECT_EQ(causes, stats["non_finite_samples"]);
+  for (const std::string reuse : {"1", "4"}) {
+    const std::vector<std::string> lax = {"s.toml",  "--spp", "4",      "--stats",
+                                          "s.json", "--reuse", reuse};
+    const RunResult run = folder.run(lax);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_NE(run.err.find("--replay "), std::string::npos) << run.err;
+    const nlohmann::json stats = folder.json("s.json");
+    EXPECT_GT(stats["non_finite_samples"], 0);
+    std::uint64_t causes = 0;
+    for (const auto& [cause, count] : stats["non_finite_by_cause"].items())
+      causes += count.get<std::uint64_t>();
+    EXPECT_EQ(causes, stats["non_finite_samples"]);
 
-  // The named sample, traced again, has the cause that was told.
-  const std::size_t named = run.err.find("non-finite sample (");
-  ASSERT_NE(named, std::string::npos) << run.err;
-  const std::string line = run.err.substr(named, run.err.find('\n', named) - named);
-  const std::string cause = line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1);
-  const std::size_t sample = line.find("--replay ") + 9;
-  const RunResult replay = folder.run(
-      {"s.toml", "--spp", "4", "--replay", line.substr(sample, line.find(' ', sample) - sample)});
-  EXPECT_NE(replay.out.find("not finite: " + cause + "\n"), std::string::npos) << replay.out;
-  std::vector<std::string> strict = lax;
-  strict.push_back("--strict");
-  EXPECT_EQ(folder.run(strict).exit_code, 1);
+    // The named sample, traced again, has the cause that was told.
+    const std::size_t named = run.err.find("non-finite sample (");
+    ASSERT_NE(named, std::string::npos) << run.err;
+    const std::string line = run.err.substr(named, run.err.find('\n', named) - named);
+    const std::string cause = line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1);
+    const std::size_t sample = line.find("--replay ") + 9;
+    const RunResult replay = folder.run(
+        {"s.toml", "--spp", "4", "--reuse", reuse, "--replay",
+         line.substr(sample, line.find(' ', sample) - sample)});
+    EXPECT_NE(replay.out.find("not finite: " + cause + "\n"), std::string::npos) << replay.out;
+    std::vector<std::string> strict = lax;
+    strict.push_back("--strict");
+    EXPECT_EQ(folder.run(strict).exit_code, 1);
+  }
 }
 
 TEST(BadInput, StrictRefusesWhatWasRepaired) {

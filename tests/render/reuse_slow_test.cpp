@@ -1,6 +1,6 @@
-// Sharing paths changes the noise and not the picture: means of pictures, regions and pixels with and
-// without it. The errors of neighbouring pixels are alike, so the spread is that between pictures of
-// other seeds.
+// Sharing paths changes the noise and not the picture: means of pictures, regions and pixels with
+// and without it. The errors of neighbouring pixels are alike, so the spread is that between pictures
+// of other seeds.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ RenderOptions options_of(const std::string& method, int reuse,
   RenderOptions options;
   options.width = 26;  // no multiple of any group
   options.height = 22;
-  options.spp = 16;
+  options.spp = 8;
   options.reuse = reuse;
   options.shade.method = find_direct_method(method);
   options.shade.max_depth = max_depth;
@@ -90,7 +90,7 @@ TEST(ReuseMeans, AreThoseWithoutOnEveryScene) {
   p_values.expect_all();
 }
 
-// 6400 samples of each pixel.
+// 3200 samples of each pixel.
 TEST(ReuseMeans, AreThoseWithoutInEveryPixel) {
   PValues p_values;
   for (const std::string name : {"cornell", "glossy"}) {
@@ -98,7 +98,7 @@ TEST(ReuseMeans, AreThoseWithoutInEveryPixel) {
     const auto measure_pixels = [&](int reuse) {
       RenderOptions options = options_of("point", reuse, std::nullopt);
       options.width = options.height = 32;
-      options.spp = 64;
+      options.spp = 32;
       return measure(scene, options, 1000 * reuse, 32, 32);
     };
     const auto off = measure_pixels(1), on = measure_pixels(4);
