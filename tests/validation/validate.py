@@ -41,7 +41,8 @@ def render_ours(arguments, scene_path, max_depth, folder):
     command = [arguments.program, str(scene_path), "--quiet", "--variance", "--output", str(path),
                "--width", str(arguments.size), "--height", str(arguments.size),
                "--spp", str(arguments.spp), "--replicates", str(REPLICATES), "--seed", "1",
-               "--light-sampling", arguments.light_sampling]
+               # The intervals of means take the pixels as independent.
+               "--reuse", "1", "--light-sampling", arguments.light_sampling]
     if max_depth is not None:
         command += ["--max-depth", str(max_depth)]
     subprocess.run(command, check=True)

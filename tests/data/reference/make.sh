@@ -9,6 +9,6 @@ cd "$(dirname "$0")/../../.."
 program=${1:-build/Raytracing}
 for scene in scenes/*.toml; do
   nice "$program" "$scene" --width 64 --height 64 --spp 8192 --seed 1 --sampler independent \
-    --light-sampling solid-angle --variance --quiet \
+    --reuse 1 --light-sampling solid-angle --variance --quiet \
     --output "tests/data/reference/$(basename "$scene" .toml).exr"
 done
