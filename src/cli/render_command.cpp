@@ -68,8 +68,11 @@ void print_result(const RenderRecord& r, bool quiet) {
   if (!quiet)
     fmt::print(stderr, "{}x{}, {} spp, {}{}, {} threads: {:.2f} s, {:.2f} million paths/s\n",
                o.width, o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
-               o.threads, r.result.render_seconds,
+               r.result.threads, r.result.render_seconds,
                1e-6 * static_cast<double>(r.result.paths) / r.result.render_seconds);
+  if (r.result.threads < o.threads)
+    fmt::print(stderr, "warning: the system allows only {} of {} threads\n", r.result.threads,
+               o.threads);
   for (const NonFiniteSample& s : r.result.first_non_finite)
     fmt::print(stderr, "non-finite sample ({}): the same command with --replay {},{},{} shows it\n",
                to_string(s.cause), s.x, s.y, s.sample);

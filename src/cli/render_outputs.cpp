@@ -80,7 +80,7 @@ ImageMetadata metadata(const RenderRecord& r) {
       {"lightSampling", std::string(method.name)},
       {"lightSamplingBiased", std::string(method.unbiased ? "no" : "yes")},
       {"maxDepth", depth ? std::to_string(*depth) : "unlimited"},
-      {"threads", static_cast<std::int64_t>(r.options.threads)},
+      {"threads", static_cast<std::int64_t>(r.result.threads)},
       {"renderSeconds", r.result.render_seconds},
       {"paths", whole_number(r.result.paths)},
       {"nonFiniteSamples", static_cast<std::int64_t>(r.result.non_finite_samples)},
@@ -135,7 +135,7 @@ std::string stats_json(const RenderRecord& r) {
   j["max_depth"] = nullptr;
   if (r.options.shade.max_depth) j["max_depth"] = *r.options.shade.max_depth;
   j["seed"] = r.options.seed;
-  j["threads"] = r.options.threads;
+  j["threads"] = r.result.threads;
   j["load_seconds"] = r.load_seconds;
   j["build_seconds"] = r.build_seconds;
   j["render_seconds"] = r.result.render_seconds;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <tuple>
 
@@ -229,7 +230,12 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
   {
     Job job(scene, options, stop, progress, result);
     std::vector<std::jthread> threads;
-    for (int i = 0; i < options.threads; ++i) threads.emplace_back([&job] { job.work(); });
+    try {
+      for (int i = 0; i < options.threads; ++i) threads.emplace_back([&job] { job.work(); });
+    } catch (const std::system_error&) {  // the system allows no more: fewer do as well
+    }
+    if (threads.empty()) job.work();
+    result.threads = std::max(1, static_cast<int>(threads.size()));
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   result.render_seconds = wall.count();

@@ -2,6 +2,7 @@
 // that are full, more threads than there is work. Each ends with the right exit code and one line.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "support/compare_folder.h"
 
@@ -129,7 +130,62 @@ TEST(Faults, MoreThreadsThanWork) {
   EXPECT_EQ(same.exit_code, 0) << same.out;
 }
 
+/// Runs a shell script in a folder where "full" is a disk of 48 kB in memory, which vanishes with the
+/// script. Exit code 77 where this user may not mount one.
+RunResult on_small_disk(const CliFolder& folder, const std::string& script) {
+  RunOptions options;
+  options.folder = folder.folder.path();
+  const std::string own = ::geteuid() == 0 ? "unshare -m" : "unshare -rm";
+  return run_any({"/bin/sh", "-c",
+                  own + " true 2>/dev/null || exit 77; exec " + own + " /bin/sh -c \"$0\"",
+                  "mount -t tmpfs -o size=48k none full 2>/dev/null || exit 77\n" + script},
+                 options);
+}
+
+TEST(Faults, ASmallDiskLeavesNothingNew) {
+  const CompareFolder folder;
+  folder.write("a.exr", random_picture(80, 80, 1));
+  folder.write("b.exr", random_picture(80, 80, 2));
+  std::filesystem::create_directory(folder.folder / "full");
+  const std::string render = kCornell + " --spp=1 --width=160 --height=160 --quiet -o ";
+  for (const auto& [command, name] : std::vector<std::pair<std::string, std::string>>{
+           {render, "full/d.exr"}, {render, "full/d.png"}, {"compare a.exr b.exr --diff ",
+                                                            "full/d.exr"}}) {
+    const RunResult run = on_small_disk(
+        folder, "printf old > " + name + "\n" RAYTRACING_PROGRAM " " + command + name +
+                    " >/dev/null\ncode=$?\nls -A full\ncat " + name + "\nexit $code");
+    if (run.exit_code == 77) GTEST_SKIP() << "this user may not mount a disk in memory";
+    EXPECT_EQ(run.exit_code, 4);
+    EXPECT_EQ(run.err, "Raytracing: " + name + ": cannot be written: No space left on device\n");
+    EXPECT_EQ(run.out, name.substr(5) + "\nold");
+  }
+}
+
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// Stacks of 1 GB, of which 8 GB have room for a few.
+TEST(Faults, FewerThreadsThanAskedFor) {
+  const CliFolder folder;
+  RunOptions options;
+  options.folder = folder.folder.path();
+  const RunResult run =
+      run_any({"/bin/sh", "-c",
+               "ulimit -s 1000000 && ulimit -v 8400000 && exec " RAYTRACING_PROGRAM " " + kCornell +
+                   " --width=32 --height=32 --spp=2 --threads=1000 -o few.exr --stats few.json"},
+              options);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const int threads = folder.json("few.json")["threads"];
+  EXPECT_GE(threads, 1);
+  EXPECT_LT(threads, 9);
+  EXPECT_NE(run.err.find("warning: the system allows only " + std::to_string(threads) +
+                         " of 1000 threads\n"),
+            std::string::npos)
+      << run.err;
+  ASSERT_EQ(folder.render({"--width=32", "--height=32", "-o", "one.exr", "--threads=1"}).exit_code,
+            0);
+  const RunResult same = folder.run({"compare", "one.exr", "few.exr", "--max-relmse=0"});
+  EXPECT_EQ(same.exit_code, 0) << same.out;
+}
+
 // 4 billion pixels: told before anything is rendered, and the temporary file is gone.
 TEST(Faults, APictureLargerThanTheMemory) {
   const CliFolder folder;
