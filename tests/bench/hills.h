@@ -1,6 +1,5 @@
 #pragma once
-// A model of any size, the same bytes every time: hills over a square, with a normal at each
-// vertex.
+// A model of any size, the same bytes every time: hills over a square, a normal at each vertex.
 
 #include <charconv>
 #include <cmath>
@@ -32,7 +31,8 @@ inline std::string hills_obj(std::size_t n) {
         const double x = step * static_cast<double>(i) - 0.5;
         const double z = step * static_cast<double>(j) - 0.5;
         // Two waves, of which each normal is the gradient.
-        const double y = 0.05 * std::sin(17 * x) * std::cos(13 * z) + 0.004 * std::sin(90 * (x + z));
+        const double ripple = 0.004 * std::sin(90 * (x + z));
+        const double y = 0.05 * std::sin(17 * x) * std::cos(13 * z) + ripple;
         const double both = 0.36 * std::cos(90 * (x + z));
         const double dx = 0.85 * std::cos(17 * x) * std::cos(13 * z) + both;
         const double dz = -0.65 * std::sin(17 * x) * std::sin(13 * z) + both;

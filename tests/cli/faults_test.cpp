@@ -130,8 +130,8 @@ TEST(Faults, MoreThreadsThanWork) {
   EXPECT_EQ(same.exit_code, 0) << same.out;
 }
 
-/// Runs a shell script in a folder where "full" is a disk of 48 kB in memory, which vanishes with the
-/// script. Exit code 77 where this user may not mount one.
+/// Runs a shell script in a folder where "full" is a disk of 48 kB in memory, which vanishes with
+/// the script. Exit code 77 where this user may not mount one.
 RunResult on_small_disk(const CliFolder& folder, const std::string& script) {
   RunOptions options;
   options.folder = folder.folder.path();

@@ -78,7 +78,10 @@ std::string random_number(std::mt19937_64& random) {
     word += static_cast<char>('0' + (below(6) == 0 ? 0 : below(10)));
   }
   if (digits == point) word += '.';
-  if (below(3) == 0) word += (below(2) == 0 ? "e" : "E-") + std::to_string(below(below(2) ? 12 : 60));
+  if (below(3) == 0) {
+    word += below(2) == 0 ? "e" : "E-";
+    word += std::to_string(below(below(2) == 0 ? 60 : 12));
+  }
   return word;
 }
 
