@@ -26,14 +26,14 @@ ImageMetadata::value_type::second_type whole_number(std::uint64_t value) {
 
 // How the layers variance.R/G/B were estimated, for people.
 std::string variance_kind(const RenderRecord& r) {
-  const std::uint64_t groups = r.result.film.fewest_groups();
-  if (groups < 2)
+  const std::uint64_t replicates = r.result.film.fewest_replicates();
+  if (replicates < 2)
     return fmt::format("unknown: a pixel has fewer than two complete {}",
                        r.options.replicates > 1 ? "replicates" : "samples");
   if (r.options.replicates > 1)
     return fmt::format("between the means of replicates: honest; Student's t with {} degrees of "
                        "freedom",
-                       groups - 1);
+                       replicates - 1);
   return r.options.sampler == SamplerKind::independent
              ? "between independent samples: honest"
              : "between samples as if they were independent: too large for sobol";
@@ -50,7 +50,7 @@ std::string correlation_kind(const RenderRecord& r) {
 
 // Of a single sample or replicate nothing is known: not even a wide interval is wide enough.
 DVec3 variance_layer(const Film::Pixel& pixel) {
-  if (pixel.groups < 2) return DVec3(std::numeric_limits<double>::infinity());
+  if (pixel.replicates < 2) return DVec3(std::numeric_limits<double>::infinity());
   return pixel.variance_of_mean();
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The methods, one source file each. Only the table and the methods themselves include this.
+// The methods; those alike share a source file. Only the table and the methods themselves include this.
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 // The steps of a path that shade() and the reuse of paths have in common.
 
 #include "raytracing/integrator/shade.h"
+#include "raytracing/materials/bsdf.h"
 
 namespace raytracing {
 
@@ -16,6 +17,31 @@ struct Bounce {
   float pdf_w;   // of BSDF sampling
   bool counted;  // whether light that it meets shall count
 };
+
+/// How a path goes on.
+struct Scattered {
+  Vec3 wi;  // world
+  Rgb weight;
+  float pdf_w;
+};
+
+/// The direction in which the BSDF lets the path go on at `v`, the vertex of number `depth`; nothing
+/// where it is absorbed, or would go into the surface that a shading normal pretends not to be there.
+inline std::optional<Scattered> scatter(const Vertex& v, std::uint32_t depth,
+                                        PathSampler& sampler) {
+  const auto sample = sample_bsdf(*v.material, v.wo, sampler.pair(bsdf_pair(depth)));
+  if (!sample) return std::nullopt;
+  const Vec3 wi = v.shading.to_world(sample->wi);
+  if (dot(wi, v.ng) <= 0) return std::nullopt;
+  return Scattered{wi, sample->weight, sample->pdf_w};
+}
+
+/// What the bounce meets. Without anything, it is counted as escaped.
+inline std::optional<Hit> hit_of_bounce(const Ray& ray, Visibility& visibility) {
+  const std::optional<Hit> hit = visibility.closest_hit(ray);
+  if (!hit) visibility.count_escaped();
+  return hit;
+}
 
 /// What a vertex that lies on a light emits to the viewer, as far as it is counted here. Without a
 /// bounce the viewer is the camera.

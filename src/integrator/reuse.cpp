@@ -4,9 +4,9 @@
 //
 //   L_i += f_x(i) G(x_i, y) V(x_i, y) * light(y -> x_i) / D,   D = sum over k of p_k(y)
 //
-// where p_k(y) = p(x_k -> y) G'(x_k, y) V(x_k, y) is the density per area with which x_k would have
-// chosen y, G' = cos_y / r^2 and f_x contains the cosine at x: the balance heuristic over all that
-// could have made the path. A diffuse y sends the same light(y) to all: shade()'s walk from there.
+// where G = cos_y / r^2, f_x contains the cosine at x, and p_k(y) = p(x_k -> y) G(x_k, y) V(x_k, y) is
+// the density per area with which x_k would have chosen y: the balance heuristic over all that could
+// have made the path. A diffuse y sends the same light(y) to all: shade()'s walk from there.
 // The light from a glossy y depends on the viewer, so the heuristic also covers the direction w in
 // which the path goes on there, by light sampling (density p_l) and by the BSDF (p_b as seen from
 // x_k), light arriving by w being L_w:
@@ -25,7 +25,7 @@
 namespace raytracing {
 namespace {
 
-// The first vertices of the group, a lane each; without a vertex, all numbers are 0.
+// The first vertices of the group, a lane each. A lane without a vertex reflects nothing.
 struct FirstVertices {
   Vec3Lanes origin, ng, ns, wo;  // world; origin of rays
   Vec3Lanes reflectance;
@@ -128,9 +128,12 @@ void PathGroup::Scratch::add_diffuse(const Rgb& light) {
   const float density = sum(views.pdf_a, lanes);
   if (!(density > 0)) return;
   const Rgb shared = light / density;
+  // Light that has overflowed is nobody's who does not see it.
   const auto add = [&](Lanes& to, const Lanes& reflectance, float amount) {
-    for (int k = 0; k < lanes; ++k)
-      to[k] += views.value[k] * (reflectance[k] + (1 - reflectance[k]) * views.white[k]) * amount;
+    for (int k = 0; k < lanes; ++k) {
+      const float here = reflectance[k] + (1 - reflectance[k]) * views.white[k];
+      to[k] += views.value[k] > 0 ? views.value[k] * here * amount : 0.0f;
+    }
   };
   add(gathered.x, first.reflectance.x, shared.x);
   add(gathered.y, first.reflectance.y, shared.y);
@@ -152,9 +155,11 @@ void PathGroup::Scratch::add_glossy(const Term& term, const Vertex& y) {
   if (!(density > 0)) return;
   const Rgb shared = term.light / density;
   const auto add = [&](Lanes& to, const Lanes& reflectance, float at_y, float amount) {
-    for (int k = 0; k < lanes; ++k)
-      to[k] += value[k] * (reflectance[k] + (1 - reflectance[k]) * views.white[k]) *
-               (at_y + (1 - at_y) * white[k]) * amount;
+    for (int k = 0; k < lanes; ++k) {
+      const float here = reflectance[k] + (1 - reflectance[k]) * views.white[k];
+      const float there = at_y + (1 - at_y) * white[k];
+      to[k] += value[k] > 0 ? value[k] * here * there * amount : 0.0f;
+    }
   };
   add(gathered.x, first.reflectance.x, shape.reflectance.x, shared.x);
   add(gathered.y, first.reflectance.y, shape.reflectance.y, shared.y);
@@ -176,22 +181,21 @@ std::optional<Vertex> start(const Scene& scene, const ShadeOptions& options, Sha
   const Rgb emitted = emission(scene, *options.method, x, nullptr);
   const Rgb direct = direct_light(scene, options, x, 0, path.sampler, visibility);
   path.radiance = emitted + direct;
-  log.steps.push_back({x.position, x.ng, Rgb(1.0f), emitted, direct, x.light, 1});
+  log.steps.push_back({x.position, x.ng, Rgb(1.0f), emitted, direct, x.light, 0});
 
-  const auto sample = sample_bsdf(*x.material, x.wo, path.sampler.pair(bsdf_pair(0)));
-  if (!sample) return x;
-  const Vec3 wi = x.shading.to_world(sample->wi);
-  if (dot(wi, x.ng) <= 0) return x;
-  const Ray ray{x.ray_origin(), wi};
-  const std::optional<Hit> next = visibility.closest_hit(ray);
+  const auto scattered = scatter(x, 0, path.sampler);
+  if (!scattered) return x;
+  const Ray ray{x.ray_origin(), scattered->wi};
+  const std::optional<Hit> next = hit_of_bounce(ray, visibility);
   if (!next) return x;
+  log.steps.back().survival = 1;
   path.second = scene.vertex(ray, *next);
-  const Bounce bounce{x.position, sample->pdf_w, options.method->uses_mis(*x.material)};
-  const Rgb met = sample->weight * emission(scene, *options.method, *path.second, &bounce);
+  const Bounce bounce{x.position, scattered->pdf_w, options.method->uses_mis(*x.material)};
+  const Rgb met = scattered->weight * emission(scene, *options.method, *path.second, &bounce);
   path.radiance += met;
   if (!is_black(met))
-    log.steps.push_back({path.second->position, path.second->ng, sample->weight, met, Rgb(0.0f),
-                         path.second->light, 0});
+    log.steps.push_back({path.second->position, path.second->ng, scattered->weight, met,
+                         Rgb(0.0f), path.second->light, 0});
   return x;
 }
 
@@ -207,12 +211,11 @@ void glossy_terms(const Scene& scene, const ShadeOptions& options, SharedPath& p
     terms.push_back(counted ? Term{s.wi, s.light * s.pdf_w, s.pdf_w, 1}
                             : Term{s.wi, s.light, 1, 0});
   if (options.max_depth == 2u && !counted) return;
-  const auto sample = sample_bsdf(*y.material, y.wo, path.sampler.pair(bsdf_pair(1)));
-  if (!sample) return;
-  const Vec3 wi = y.shading.to_world(sample->wi);
-  if (dot(wi, y.ng) <= 0) return;
+  const auto scattered = scatter(y, 1, path.sampler);
+  if (!scattered) return;
+  const Vec3 wi = scattered->wi;
   const Ray ray{y.ray_origin(), wi};
-  const std::optional<Hit> hit = visibility.closest_hit(ray);
+  const std::optional<Hit> hit = hit_of_bounce(ray, visibility);
   if (!hit) return;
   Vertex z = scene.vertex(ray, *hit);
   if (counted && z.light != kNone) {

@@ -12,7 +12,6 @@
 #include "raytracing/integrator/shade.h"
 
 #include "path_steps.h"
-#include "raytracing/materials/bsdf.h"
 #include "raytracing/sampling/warp.h"
 
 namespace raytracing {
@@ -70,11 +69,9 @@ Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex& v, std::uint32
 
     const bool counted = options.method->uses_mis(*v.material);
     if (depth + 1 == max_depth && !counted) break;
-    const auto sample = sample_bsdf(*v.material, v.wo, sampler.pair(bsdf_pair(depth)));
-    if (!sample) break;
-    const Vec3 wi = v.shading.to_world(sample->wi);
-    if (dot(wi, v.ng) <= 0) break;
-    throughput *= sample->weight;
+    const auto scattered = scatter(v, depth, sampler);
+    if (!scattered) break;
+    throughput *= scattered->weight;
 
     float survival = 1;
     if (depth + 1 >= kRouletteDepth) {
@@ -82,14 +79,11 @@ Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex& v, std::uint32
       if (!(sampler.pair(choice_pair(depth)).y < survival)) break;
       throughput *= 1 / survival;
     }
+    const Bounce bounce{v.position, scattered->pdf_w, counted};
+    const Ray ray{v.ray_origin(), scattered->wi};
+    const std::optional<Hit> hit = hit_of_bounce(ray, visibility);
+    if (!hit) break;
     log.steps.back().survival = survival;
-    const Bounce bounce{v.position, sample->pdf_w, counted};
-    const Ray ray{v.ray_origin(), wi};
-    const std::optional<Hit> hit = visibility.closest_hit(ray);
-    if (!hit) {
-      visibility.count_escaped();
-      break;
-    }
     v = scene.vertex(ray, *hit);
     const Rgb emitted = throughput * emission(scene, *options.method, v, &bounce);
     radiance += emitted;

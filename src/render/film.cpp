@@ -5,21 +5,21 @@
 namespace raytracing {
 
 DVec3 Film::Pixel::mean() const {
-  if (groups > 0) return sum / static_cast<double>(counted);
+  if (replicates > 0) return sum / static_cast<double>(counted);
   return samples == 0 ? open_sum : open_sum / static_cast<double>(samples);
 }
 
 DVec3 Film::Pixel::variance_of_mean() const {
-  if (groups < 2) return DVec3(0.0);
-  const double n = static_cast<double>(groups);
-  const double group_size = static_cast<double>(counted) / n;
+  if (replicates < 2) return DVec3(0.0);
+  const double n = static_cast<double>(replicates);
+  const double replicate_size = static_cast<double>(counted) / n;
   const DVec3 centred = sum_of_squares - sum * sum / n;
-  return glm::max(centred, DVec3(0.0)) / (n * (n - 1) * group_size * group_size);
+  return glm::max(centred, DVec3(0.0)) / (n * (n - 1) * replicate_size * replicate_size);
 }
 
-std::uint64_t Film::fewest_groups() const {
-  std::uint64_t fewest = pixels_.front().groups;
-  for (const Pixel& pixel : pixels_) fewest = std::min(fewest, pixel.groups);
+std::uint64_t Film::fewest_replicates() const {
+  std::uint64_t fewest = pixels_.front().replicates;
+  for (const Pixel& pixel : pixels_) fewest = std::min(fewest, pixel.replicates);
   return fewest;
 }
 

@@ -139,7 +139,7 @@ class Job {
       }
   }
 
-  std::uint64_t group_size() const {
+  std::uint64_t replicate_size() const {
     return options_.replicates > 1 ? options_.spp / options_.replicates : 1;
   }
 
@@ -155,7 +155,7 @@ class Job {
         Film::Pixel pixel = result_.film.at(x, y);
         for (std::uint64_t sample = first; sample < last; ++sample) {
           const Rgb radiance = share.samples.trace(x, y, sample, share.visibility, share.log);
-          pixel.add(finite(radiance, x, y, sample, share), group_size());
+          pixel.add(finite(radiance, x, y, sample, share), replicate_size());
         }
         result_.film.at(x, y) = pixel;
       }
@@ -175,7 +175,7 @@ class Job {
       for (std::size_t k = 0; k < pixels.size(); ++k) {
         const auto [x, y] = pixels[k];
         result_.film.at(x, y).add(finite(share.groups.radiance(k), x, y, sample, share),
-                                  group_size());
+                                  replicate_size());
       }
     }
   }

@@ -12,9 +12,9 @@ struct Numbered {
 
   Numbered(const RenderOptions& options, std::uint64_t index) : sample(index) {
     if (options.replicates <= 1) return;
-    const std::uint64_t group_size = options.spp / options.replicates;
-    replicate = index / group_size;
-    sample = index % group_size;
+    const std::uint64_t replicate_size = options.spp / options.replicates;
+    replicate = index / replicate_size;
+    sample = index % replicate_size;
   }
 };
 

@@ -45,7 +45,7 @@ TEST(Film, GroupsCountWhenTheyAreComplete) {
   Film::Pixel pixel;
   pixel.add(Rgb(1.0f), 2);
   EXPECT_EQ(pixel.mean(), DVec3(1.0));
-  EXPECT_EQ(pixel.groups, 0u);
+  EXPECT_EQ(pixel.replicates, 0u);
   pixel.add(Rgb(3.0f), 2);  // mean 2
   EXPECT_EQ(pixel.variance_of_mean(), DVec3(0.0));
   for (const float sample : {4.0f, 8.0f}) pixel.add(Rgb(sample), 2);  // mean 6

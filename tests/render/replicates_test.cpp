@@ -58,7 +58,7 @@ TEST(Replicates, MeanAndVarianceAreThoseOfTheGroups) {
       for (const DVec3& group : groups) mean += group / 5.0;
       for (const DVec3& group : groups) squares += (group - mean) * (group - mean);
       EXPECT_EQ(pixel.samples, 60u);
-      EXPECT_EQ(pixel.groups, 5u);
+      EXPECT_EQ(pixel.replicates, 5u);
       for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(pixel.mean()[c], mean[c], 1e-13 * mean[c]);
         EXPECT_NEAR(pixel.variance_of_mean()[c], squares[c] / 4 / 5, 1e-13 * mean[c] * mean[c]);
@@ -66,7 +66,7 @@ TEST(Replicates, MeanAndVarianceAreThoseOfTheGroups) {
       }
     });
     EXPECT_GT(spread, 0);
-    EXPECT_EQ(result.film.fewest_groups(), 5u);
+    EXPECT_EQ(result.film.fewest_replicates(), 5u);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(Replicates, PictureDependsNeitherOnThreadsNorOnTiles) {
           const Film::Pixel& same = first.film.at(x, y);
           EXPECT_EQ(pixel.sum, same.sum);
           EXPECT_EQ(pixel.sum_of_squares, same.sum_of_squares);
-          EXPECT_EQ(pixel.groups, same.groups);
+          EXPECT_EQ(pixel.replicates, same.replicates);
         });
       }
   }
@@ -130,7 +130,7 @@ TEST(Replicates, AnIncompleteGroupCountsForNothingAfterTheFirst) {
         });
     EXPECT_FALSE(part.complete);
     const std::uint64_t complete = passes * 16 / 24;
-    EXPECT_EQ(part.film.fewest_groups(), complete);
+    EXPECT_EQ(part.film.fewest_replicates(), complete);
     RenderOptions short_options = options_of(complete > 0 ? 24 * complete : 16,
                                              complete > 0 ? complete : 1);
     const RenderResult shorter = render_all(scene, short_options);

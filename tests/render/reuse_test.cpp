@@ -39,7 +39,7 @@ RenderResult render_all(const Scene& scene, const RenderOptions& options) {
 
 bool same_pixel(const Film::Pixel& a, const Film::Pixel& b) {
   return a.sum == b.sum && a.sum_of_squares == b.sum_of_squares && a.samples == b.samples &&
-         a.groups == b.groups;
+         a.replicates == b.replicates;
 }
 
 int differing_pixels(const Film& a, const Film& b) {

@@ -35,7 +35,8 @@ struct DirectQuery {
 
 /// A way to estimate direct light. The seam is the estimate, not a sample with a density: a method
 /// may integrate over more than one direction. Every method draws the same one pair of numbers per
-/// vertex, so that exchanging methods leaves all other dimensions as they were.
+/// vertex, and whatever more it needs from the sampler's extra numbers, so that exchanging methods
+/// leaves all other dimensions as they were.
 struct DirectMethod {
   std::string_view name;
   std::string_view summary;  ///< one line for people, without a full stop

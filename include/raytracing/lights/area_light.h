@@ -69,8 +69,8 @@ struct SolidAngleSample {
   bool by_area = false;  ///< uniform in area instead
 };
 /// Rectangles by SphericalRectangle, other polygons by the spherical triangles of their fan. Where
-/// the solid angle is too small or too large for float arithmetic, samples by area instead and
-/// says so in the density. Nothing when `from` does not see the emitting side.
+/// the solid angle is too small or too large for float arithmetic, samples by area instead
+/// (`by_area`). Nothing when `from` does not see the emitting side.
 std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const Vec3& from,
                                                    const Vec2& u);
 /// The density with which sample_solid_angle chooses the point `q` of the light.
