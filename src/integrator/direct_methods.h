@@ -1,5 +1,6 @@
 #pragma once
-// The methods; those alike share a source file. Only the table and the methods themselves include this.
+// The methods; those alike share a source file. Only the table and the methods themselves include
+// this.
 
 #include <cmath>
 

@@ -25,8 +25,9 @@ struct Scattered {
   float pdf_w;
 };
 
-/// The direction in which the BSDF lets the path go on at `v`, the vertex of number `depth`; nothing
-/// where it is absorbed, or would go into the surface that a shading normal pretends not to be there.
+/// The direction in which the BSDF lets the path go on at `v`, the vertex of number `depth`.
+/// Nothing where the path is absorbed, or where it would go below the true surface, of which the
+/// shading normal knows nothing.
 inline std::optional<Scattered> scatter(const Vertex& v, std::uint32_t depth,
                                         PathSampler& sampler) {
   const auto sample = sample_bsdf(*v.material, v.wo, sampler.pair(bsdf_pair(depth)));

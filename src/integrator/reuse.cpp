@@ -4,9 +4,9 @@
 //
 //   L_i += f_x(i) G(x_i, y) V(x_i, y) * light(y -> x_i) / D,   D = sum over k of p_k(y)
 //
-// where G = cos_y / r^2, f_x contains the cosine at x, and p_k(y) = p(x_k -> y) G(x_k, y) V(x_k, y) is
-// the density per area with which x_k would have chosen y: the balance heuristic over all that could
-// have made the path. A diffuse y sends the same light(y) to all: shade()'s walk from there.
+// where G = cos_y / r^2, f_x contains the cosine at x, and p_k(y) = p(x_k -> y) G(x_k, y) V(x_k, y)
+// is the density per area with which x_k would have chosen y: the balance heuristic over all that
+// could have made the path. A diffuse y sends the same light(y) to all: shade()'s walk from there.
 // The light from a glossy y depends on the viewer, so the heuristic also covers the direction w in
 // which the path goes on there, by light sampling (density p_l) and by the BSDF (p_b as seen from
 // x_k), light arriving by w being L_w:

@@ -41,7 +41,7 @@ TEST(Film, MeanIsThatOfThePixelsWhateverTheirSamples) {
   EXPECT_EQ(film.mean(), DVec3(2.5));
 }
 
-TEST(Film, GroupsCountWhenTheyAreComplete) {
+TEST(Film, ReplicatesCountWhenTheyAreComplete) {
   Film::Pixel pixel;
   pixel.add(Rgb(1.0f), 2);
   EXPECT_EQ(pixel.mean(), DVec3(1.0));

@@ -1,6 +1,6 @@
 // Sharing paths changes the noise and not the picture: means of pictures, regions and pixels with
-// and without it. The errors of neighbouring pixels are alike, so the spread is that between pictures
-// of other seeds.
+// and without it. The errors of neighbouring pixels are alike, so the spread is that between
+// pictures of other seeds.
 
 #include <gtest/gtest.h>
 

@@ -10,16 +10,16 @@ namespace raytracing {
 /// Sums over the samples of each pixel, in double precision, rows from the top.
 class Film {
  public:
-  /// Samples come in replicates of equal size whose means count as independent. A replicate of a stopped
-  /// rendering that is not complete counts for neither mean nor variance: its own variance is not
-  /// known, and a part of a Sobol' sequence may be worse than the whole by far.
+  /// Samples come in replicates of equal size whose means count as independent. A replicate of a
+  /// stopped rendering that is not complete counts for neither mean nor variance: its own variance
+  /// is not known, and a part of a Sobol' sequence may be worse than the whole by far.
   struct Pixel {
     DVec3 sum{0.0};             ///< over the complete replicates
     DVec3 sum_of_squares{0.0};  ///< of the sums of the complete replicates
     DVec3 open_sum{0.0};        ///< over the replicate that is not complete
     std::uint64_t samples = 0;
     std::uint64_t replicates = 0;  ///< that are complete
-    std::uint64_t counted = 0;  ///< samples in complete replicates
+    std::uint64_t counted = 0;     ///< samples in complete replicates
 
     /// `replicate_size` >= 1, the same in all calls.
     void add(const Rgb& sample, std::uint64_t replicate_size = 1) {
@@ -29,7 +29,7 @@ class Film {
     }
     /// Mean over the complete replicates; before the first one is complete, over what there is.
     DVec3 mean() const;
-    /// Variance of the mean from the spread of the replicates' means; 0 for fewer than two replicates.
+    /// Variance of the mean from the spread of the replicates' means; 0 for fewer than two.
     DVec3 variance_of_mean() const;
 
    private:

@@ -54,8 +54,9 @@ struct RenderResult {
 /// Told from time to time by one thread at a time: samples done and samples in all.
 using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// Renders the picture by `options.threads` threads, or as many as can be started. The result does not depend on their number nor
-/// on the tile size. When `stop` becomes true, returns soon with what there is.
+/// Renders the picture by `options.threads` threads, or as many as can be started. The result does
+/// not depend on their number nor on the tile size. When `stop` becomes true, returns soon with what
+/// there is.
 RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::atomic<bool>& stop, const ProgressCallback& progress);
 
