@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
 #include "raytracing/math/numeric.h"
@@ -29,6 +30,26 @@ TEST(PathSampler, OrderOfCallsDoesNotMatter) {
     for (std::uint32_t i : {40u, 3u, 15u, 16u, 0u, 3u, 4294967295u, 31u, 32u, 3u, 4294967280u})
       EXPECT_EQ(sampler.pair(i), fresh(i)) << i;
     EXPECT_EQ(sampler.extra(3, 1), PathSampler(kind, 9, 4, 5, 77).extra(3, 1));
+  }
+}
+
+// Whatever it keeps from the sample before: another sample, pixel, epoch or replicate.
+TEST(PixelSampler, GivesWhatTheConstructorGives) {
+  const std::uint64_t epoch = std::uint64_t{1} << 32;
+  for (SamplerKind kind : kBoth) {
+    PixelSampler pixels(kind, 9);
+    for (const auto& [x, y, sample, replicate] :
+         {std::array<std::uint64_t, 4>{0, 0, 0, 0}, {0, 0, 1, 0}, {4, 0, 1, 0}, {4, 5, 1, 0},
+          {5, 4, 1, 0}, {5, 4, 1 + epoch, 0}, {5, 4, 1, 0}, {5, 4, 1, 1}, {5, 4, 2, 1}}) {
+      const auto px = static_cast<std::uint32_t>(x), py = static_cast<std::uint32_t>(y);
+      PathSampler kept = pixels.path(px, py, sample, replicate);
+      PathSampler made(kind, 9, px, py, sample, replicate);
+      for (std::uint32_t i : {0u, 1u, 15u, 16u, 40u, 3u}) {
+        EXPECT_EQ(kept.pair(i), made.pair(i)) << x << " " << y << " " << sample << " " << i;
+        EXPECT_EQ(kept.extra(i, 2), made.extra(i, 2));
+        EXPECT_EQ(kept.coin_of_pixel(i), made.coin_of_pixel(i));
+      }
+    }
   }
 }
 
