@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <filesystem>
+#include <system_error>
 
 #include "build_info.h"
 #include "limits.h"
@@ -36,7 +37,9 @@ RenderArguments::Replay parse_replay(const std::string& text) {
 
 // A word that names no file may be meant as a subcommand. What is wrong with it, or "".
 std::string fault_of_scene_name(const std::string& name) {
-  if (name.find_first_of("./") != std::string::npos || std::filesystem::exists(name)) return "";
+  std::error_code error;  // of names that cannot be
+  if (name.find_first_of("./") != std::string::npos || std::filesystem::exists(name, error))
+    return "";
   return fmt::format("{}: no such scene file or subcommand; the nearest subcommand is {}", name,
                      nearest_subcommand(name));
 }
@@ -92,8 +95,8 @@ struct RenderOptionList : OptionList {
                    throw UsageError("--reuse: " + text + " is not 1, 2, 4 or 8");
                },
                fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
-                           "(none), 2, 4 or 8; default {}. Unbiased, and --variance stays right for "
-                           "each pixel; but errors of pixels less than {} N apart are alike, so "
+                           "(none), 2, 4 or 8; default {}. Unbiased, and --variance stays right "
+                           "for each pixel; but errors of pixels less than {} N apart are alike, so "
                            "means over regions are less sure than as many independent pixels: over "
                            "16 x 16 pixels their variance was 2.5 to 5 times that with 4",
                            a.reuse, PixelGroups::kStride));

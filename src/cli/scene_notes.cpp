@@ -8,13 +8,23 @@
 #include "raytracing/scene/far_scene.h"
 
 namespace raytracing {
+namespace {
+
+// What happened, to what first, and how often.
+std::string text(const LoadReport::Entry& e) {
+  const std::string what = e.name.empty() ? e.kind : e.kind + ": " + e.name;
+  if (e.count == 1) return what;
+  return what + (e.name.empty() ? fmt::format(" ({} times)", e.count)
+                                : fmt::format(" (the first of {})", e.count));
+}
+
+}  // namespace
 
 void print_load_report(const LoadReport& report, const SceneFile& scene, bool quiet, bool strict) {
   for (const LoadReport::Entry& e : report.entries()) {
     const bool told_when_quiet = e.severity != LoadReport::Severity::ignored;
     if (quiet && !told_when_quiet) continue;
-    fmt::print(stderr, "{}: {}: {}{}\n", to_string(e.first), to_string(e.severity), e.kind,
-               e.count > 1 ? fmt::format(" ({} times)", e.count) : "");
+    fmt::print(stderr, "{}: {}: {}\n", to_string(e.first), to_string(e.severity), text(e));
   }
   const std::uint64_t repaired = report.count(LoadReport::Severity::repaired);
   const std::uint64_t dropped = report.count(LoadReport::Severity::dropped);

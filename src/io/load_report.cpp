@@ -5,14 +5,14 @@
 namespace raytracing {
 
 void LoadReport::add(Severity severity, const std::string& kind, const TextLocation& where,
-                     std::uint64_t count) {
+                     std::uint64_t count, const std::string& name) {
   if (count == 0) return;
   const auto same = [&](const Entry& e) { return e.severity == severity && e.kind == kind; };
   const auto found = std::find_if(entries_.begin(), entries_.end(), same);
   if (found != entries_.end()) {
     found->count += count;
   } else {
-    entries_.push_back({severity, kind, where, count});
+    entries_.push_back({severity, kind, where, count, name});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "mtl_surface.h"
 #include "raytracing/io/file.h"
+#include "text_cursor.h"
 
 namespace raytracing {
 namespace {
@@ -61,7 +62,8 @@ ModelLoader::Model& ModelLoader::model(const ModelRequest& request) {
     throw InputError(request.where, error.what());
   }
   ObjModel obj = parse_obj(text, request.path, report_);
-  return models_.emplace(request.path, Model{std::move(obj), {}, uses_[request.path]}).first->second;
+  Model made{std::move(obj), {}, uses_[request.path]};
+  return models_.emplace(request.path, std::move(made)).first->second;
 }
 
 ModelLoader::Library* ModelLoader::library(const std::string& path) {
@@ -80,7 +82,8 @@ std::vector<std::uint32_t> ModelLoader::resolve_materials(const ObjModel& obj,
     if (Library* found = library(beside(obj_path, named.name))) {
       libraries.push_back(found);
     } else {
-      report_.add(LoadReport::Severity::repaired, "material library missing", named.where);
+      report_.add(LoadReport::Severity::repaired, "material library missing", named.where, 1,
+                  raytracing::quoted(named.name));
     }
   }
   std::vector<std::uint32_t> surfaces;
@@ -103,7 +106,8 @@ std::uint32_t ModelLoader::resolve_material(const ObjModel::MaterialUse& use,
       return surface;
     }
   }
-  report_.add(LoadReport::Severity::repaired, "material not defined", use.where);
+  report_.add(LoadReport::Severity::repaired, "material not defined", use.where, 1,
+              raytracing::quoted(use.name));
   return default_surface();
 }
 

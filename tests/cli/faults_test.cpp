@@ -52,12 +52,16 @@ TEST(Faults, UnreadableFilesAreNamed) {
 TEST(Faults, MissingMaterialsAndTexturesAreTold) {
   const CliFolder folder;
   folder.folder.write("s.toml", kScene + "[[models]]\nobj = 'm.obj'\n");
-  folder.folder.write("m.obj", "mtllib no.mtl there.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n");
+  folder.folder.write("m.obj", "mtllib no.mtl there.mtl\n" + kSquare +
+                                   "usemtl a\nf 1 2 3 4\nusemtl b c\nf 1 2 3 4\nusemtl d\n"
+                                   "f 1 2 3 4\n");
   folder.folder.write("there.mtl", "newmtl a\nKd 1\nmap_Kd nowhere.png\n");
   const RunResult run = folder.run({"s.toml", "--spp=1"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_NE(run.err.find("m.obj:1:8: repaired: material library missing\n"), std::string::npos)
-      << run.err;
+  EXPECT_NE(run.err.find("m.obj:1:8: repaired: material library missing: 'no.mtl'\n"),
+            std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("repaired: material not defined: 'b c' (the first of 2)\n"),
+            std::string::npos) << run.err;
   EXPECT_NE(run.err.find("there.mtl:3:1: ignored: MTL key 'map_Kd'\n"), std::string::npos);
   EXPECT_EQ(folder.run({"s.toml", "--spp=1", "--strict"}).exit_code, 3);
   std::filesystem::create_directory(folder.folder / "no.mtl");

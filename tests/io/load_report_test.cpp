@@ -14,6 +14,15 @@ TEST(InputErrors, NameThePlaceAsFarAsItIsKnown) {
   EXPECT_STREQ(InputError(TextLocation{"a\nb", 1, 2}, "c\r\nd").what(), "a b:1:2: c  d");
 }
 
+TEST(LoadReports, KeepTheFirstName) {
+  LoadReport report;
+  for (const char* name : {"a", "b"})
+    report.add(LoadReport::Severity::repaired, "lost", {"x", 1, 1}, 1, name);
+  ASSERT_EQ(report.entries().size(), 1u);
+  EXPECT_EQ(report.entries()[0].name, "a");
+  EXPECT_EQ(report.entries()[0].count, 2u);
+}
+
 TEST(LoadReports, CountByKindAndKeepTheFirstPlace) {
   using Severity = LoadReport::Severity;
   LoadReport report;

@@ -22,11 +22,12 @@ class LoadReport {
     std::string kind;    ///< for example "face with a repeated corner"
     TextLocation first;  ///< where it happened first
     std::uint64_t count;
+    std::string name;    ///< of what it happened to first; "" where the kind says all
   };
 
-  /// Counts events of this kind; the first place is kept.
+  /// Counts events of this kind; the first place and name are kept.
   void add(Severity severity, const std::string& kind, const TextLocation& where,
-           std::uint64_t count = 1);
+           std::uint64_t count = 1, const std::string& name = "");
 
   const std::vector<Entry>& entries() const { return entries_; }  ///< in order of first appearance
   std::uint64_t count(Severity severity) const;
