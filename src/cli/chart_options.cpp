@@ -28,7 +28,8 @@ struct ChartOptionList : OptionList {
 
   explicit ChartOptionList(ChartArguments& arguments)
       : OptionList("Measures the error of the methods against their time, and draws it. The same "
-                   "command goes on where an earlier run of it was stopped.",
+                   "command goes on where an earlier run of it was stopped. No paths are shared "
+                   "between pixels, as in renderings with --reuse 1.",
                    "Raytracing chart"),
         a(arguments) {
     add_text("--scene,scene", a.scene, "FILE.toml", "Scene file (TOML)");
@@ -58,7 +59,8 @@ struct ChartOptionList : OptionList {
     add_text("--reference", a.reference, "FILE|auto",
              "Picture that errors are measured against, an EXR; default auto: rendered with "
              "seeds of its own, in two halves that tell its noise, and kept in DIR. A file's "
-             "noise is known when auto made it, or from --variance --sampler independent");
+             "noise is known when auto made it, or from --variance --reuse 1 with --sampler "
+             "independent or --replicates");
     add_real("--reference-time", a.reference_time, 0.001, 1e9,
              fmt::format("Seconds to render it for; default {:g}", a.reference_time));
     add_text("--mask", a.mask, "FILE",

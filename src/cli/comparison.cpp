@@ -84,6 +84,8 @@ void add_notes_on(const ImageData& image, const std::string& path,
   const std::string complete = header_text(image, "complete");
   if (!complete.empty() && complete != "yes")
     notes.push_back(fmt::format("warning: {}: its rendering was stopped early", path));
+  if (errors_are_alike(image))
+    notes.push_back(fmt::format("note: {}: {}", path, header_text(image, "pixelCorrelation")));
   const std::string bits = header_text(image, "bitsPerSample");  // of a PNG
   if (!bits.empty())
     notes.push_back(fmt::format("note: {}: {} bits a channel, and light beyond 1 is cut off", path,

@@ -9,6 +9,11 @@
 #include "raytracing/io/file.h"
 
 namespace raytracing {
+namespace {
+
+constexpr int kReuse = 1;  // paths that pixels share hide what the methods do
+
+}  // namespace
 
 std::uint64_t run_seed(std::uint64_t spp, std::uint64_t repetition) {
   return (spp << 20) + repetition;
@@ -32,6 +37,7 @@ RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run) 
   options.width = settings.width;
   options.height = settings.height;
   options.spp = run.spp;
+  options.reuse = kReuse;
   options.shade = {run.method, settings.max_depth, settings.line_rays};
   options.sampler = settings.sampler;
   options.seed = run.seed;
@@ -57,6 +63,7 @@ ImageMetadata common_metadata(const ChartSettings& settings) {
   metadata.emplace_back("scene", settings.scene_path);
   metadata.emplace_back("sceneHash", fmt::format("{:016x}", settings.scene_hash));
   metadata.emplace_back("sampler", std::string(to_string(settings.sampler)));
+  metadata.emplace_back("reuse", std::int64_t{kReuse});
   metadata.emplace_back("maxDepth", depth_text(settings.max_depth));
   metadata.emplace_back("threads", std::int64_t{settings.threads});
   return metadata;

@@ -91,6 +91,11 @@ ImageData join_halves(const ImageData& a, const ImageData& b) {
   return joined;
 }
 
+bool errors_are_alike(const ImageData& picture) {
+  const std::string kind = header_text(picture, "pixelCorrelation");
+  return !kind.empty() && !kind.starts_with("none");
+}
+
 Reference to_reference(ImageData picture) {
   Reference reference{std::move(picture), {}, ""};
   if (RgbView::has(reference.picture, "halfA.") && RgbView::has(reference.picture, "halfB.")) {
@@ -98,6 +103,8 @@ Reference to_reference(ImageData picture) {
     reference.variance_source = "from two independent halves";
   } else if (!RgbView::has(reference.picture, "variance.")) {
     reference.variance_source = "not known: the file has neither halves nor variance";
+  } else if (errors_are_alike(reference.picture)) {
+    reference.variance_source = "not known: neighbouring pixels share paths; --reuse 1 avoids it";
   } else if (header_text(reference.picture, "sampler") == "independent" ||
              has_replicates(reference.picture)) {
     reference.variance = variance_layers(reference.picture);

@@ -81,6 +81,8 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
   write("other.exr", {{hash, "02"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
   write("biased.exr", {{"lightSampling", "line-ratio"}, {"lightSamplingBiased", "yes"}});
   write("part.exr", {{"complete", "no, stopped early"}});
+  write("alone.exr", {{"pixelCorrelation", "none: independent"}});
+  write("alike.exr", {{"pixelCorrelation", "errors are alike"}});
   const std::string same =
       "note: both pictures have the same seed: their errors are not independent\n";
   for (const auto& [a, b, notes] : std::vector<std::array<std::string, 3>>{
@@ -92,6 +94,8 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
            {"plain.exr", "biased.exr",
             "note: biased.exr: made by the biased method line-ratio: more samples do not bring it "
             "to the true picture\n"},
+           {"plain.exr", "alone.exr", ""},
+           {"alike.exr", "plain.exr", "note: alike.exr: errors are alike\n"},
            {"part.exr", "plain.exr",
             "warning: part.exr: its rendering was stopped early\n"}}) {
     const RunResult run = folder.compare({a, b, "--max-relmse", "0"});
@@ -103,9 +107,11 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
 TEST(CompareExit, RenderedPicturesCarryWhatTheNotesNeed) {
   const CompareFolder folder;
   ASSERT_EQ(folder.render({"-o", "a.exr", "--light-sampling", "line-ratio"}).exit_code, 0);
-  ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2"}).exit_code, 0);
-  EXPECT_EQ(folder.compare({"a.exr", "b.exr"}).err.substr(0, 41),
-            "note: a.exr: made by the biased method li");
+  ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2", "--variance"}).exit_code, 0);
+  const std::string notes = folder.compare({"a.exr", "b.exr"}).err;
+  EXPECT_EQ(notes.substr(0, 41), "note: a.exr: made by the biased method li");
+  EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 8 apart are alike"),
+            std::string::npos) << notes;
 }
 
 TEST(CompareExit, BadPicturesEndWithThree) {

@@ -87,6 +87,21 @@ TEST(Reference, VarianceLayersCountWhenTheSamplesAreIndependent) {
   EXPECT_TRUE(to_reference(picture).variance.empty());
 }
 
+// The noise of means over pixels does not follow from variances of pixels that share paths.
+TEST(Reference, SharedPathsMakeTheNoiseUnknown) {
+  NoisyPictures maker(2, 1);
+  ImageData picture = join_halves(maker.picture(0.1), maker.picture(0.1));
+  picture.channels = {"R", "G", "B", "variance.R", "variance.G", "variance.B", "x", "y", "z"};
+  picture.metadata = {{"sampler", std::string("independent")},
+                      {"pixelCorrelation", std::string("none: independent")}};
+  EXPECT_EQ(to_reference(picture).variance.size(), 4u);
+  picture.metadata[1].second = std::string("errors of pixels less than 8 apart are alike");
+  const Reference reference = to_reference(picture);
+  EXPECT_TRUE(reference.variance.empty());
+  EXPECT_EQ(reference.variance_source,
+            "not known: neighbouring pixels share paths; --reuse 1 avoids it");
+}
+
 TEST(Reference, VarianceThatIsNoneMakesTheNoiseUnknown) {
   NoisyPictures maker(2, 1);
   for (const float bad : {INFINITY, NAN, -1.0f}) {
