@@ -21,8 +21,14 @@ bool run_gnuplot(const std::string& folder, const std::string& script) {
   posix_spawn_file_actions_t actions;
   if (posix_spawn_file_actions_init(&actions) != 0) throw OutputError("gnuplot: cannot be started");
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  // In a group of its own, or the terminal's Ctrl-C would end it in the midst of a picture.
+  posix_spawnattr_t attributes;
+  if (posix_spawnattr_init(&attributes) != 0) throw OutputError("gnuplot: cannot be started");
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   pid_t pid = 0;
-  const int error = posix_spawnp(&pid, argv[0], &actions, nullptr, argv.data(), environ);
+  const int error = posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) return false;
   if (error != 0)
