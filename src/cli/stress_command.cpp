@@ -77,8 +77,8 @@ void print_verdicts(const StressResult& result) {
 // One line for each cell that fails the run.
 int exit_code(const StressResult& result) {
   for (const StressCell* c : result.failures())
-    fmt::print(stderr, "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}, {} samples not "
-               "finite\n",
+    fmt::print(stderr, "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}, {} samples "
+               "not finite or below 0\n",
                c->stress_case->name, c->setting->label, c->method->name, to_string(c->verdict),
                100 * c->relative_bias(), 100 * c->relative(c->standard_error), c->z(),
                c->not_finite);
@@ -93,8 +93,8 @@ int stress_command(const Arguments& arguments) {
     fmt::print("{}", *a.text);
     return kExitGood;
   }
+  const StopOnSignal signals;  // before there are temporary files to leave behind
   const Folder folder(a.folder, a.quiet);
-  const StopOnSignal signals;
   ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
   const StressResult result =
       run_stress(a.plan, signals.stop(),

@@ -1,5 +1,7 @@
 // Cases of the light's shape and place.
 
+#include <algorithm>
+
 #include "stress_maker.h"
 
 namespace raytracing::stress {

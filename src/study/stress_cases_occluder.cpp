@@ -1,5 +1,6 @@
 // Cases of the occluder.
 
+#include <algorithm>
 #include <random>
 
 #include "stress_maker.h"

@@ -1,6 +1,5 @@
 // Cases of the receiver's surface.
 
-#include "raytracing/geometry/triangulate.h"
 #include "stress_maker.h"
 
 namespace raytracing::stress {

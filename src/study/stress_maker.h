@@ -2,6 +2,8 @@
 // What the cases are built with.
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "raytracing/io/file.h"
 #include "raytracing/study/stress_plot.h"
 #include "stress_table.h"

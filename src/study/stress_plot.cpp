@@ -133,6 +133,23 @@ std::string draw(const std::string& name, int width, int height, const std::stri
 
 }  // namespace
 
+std::string stress_csv(const StressResult& result) {
+  std::string text =
+      "case,setting,method,claims_unbiased,truth,rounding,pixels,mean,relative_bias,"
+      "relative_standard_error,z,resolved,repeated,relative_rmse,largest_sample_over_truth,"
+      "largest_share,not_finite,nanoseconds_per_sample,verdict\n";
+  for (const StressCell& c : result.cells)
+    text += fmt::format(
+        "{},{},{},{},{:.9g},{:.3g},{},{:.9g},{:.4g},{:.4g},{:.4g},{:d},{:d},{:.4g},{:.4g},{:.4g},"
+        "{},{:.4g},{}\n",
+        c.stress_case->name, c.setting->label, c.method->name, c.method->unbiased ? 1 : 0,
+        c.truth.radiance, c.truth.rounding, c.pixels, c.mean, c.relative_bias(),
+        c.relative(c.standard_error), c.z(), c.resolved(), c.repeated, c.relative_rmse(),
+        c.relative(c.largest_sample), c.largest_share, c.not_finite, c.nanoseconds,
+        to_string(c.verdict));
+  return text;
+}
+
 std::vector<std::string> stress_pictures(const StressResult& result) {
   std::vector<std::string> names{"stress"};
   for (const StressTable& table : stress_tables(result)) {

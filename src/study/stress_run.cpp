@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "raytracing/integrator/shade.h"
@@ -54,10 +55,18 @@ void set_moments(const std::vector<double>& pixels, StressCell& cell) {
   cell.skewness = deviation > 0 ? third / (n * deviation * deviation * deviation) : 0;
 }
 
-// The pixels of seeds first .. first + count - 1.
-void measure(const StressScene& stress, const Scene& scene, const StressPlan& plan,
-             std::uint64_t first, std::uint64_t count, StressCell& cell) {
-  const ShadeOptions options{cell.method, stress.max_depth, plan.line_rays};
+/// One setting, ready to be measured.
+struct Subject {
+  const StressScene& stress;
+  const Scene& scene;
+  int line_rays;
+  const std::atomic<bool>& stop;
+};
+
+// The pixels of seeds first .. first + count - 1; those so far when stopped.
+void measure(const Subject& subject, std::uint64_t first, std::uint64_t count, StressCell& cell) {
+  const auto& [stress, scene, line_rays, stop] = subject;
+  const ShadeOptions options{cell.method, stress.max_depth, line_rays};
   Visibility visibility(scene);
   PathLog log;
   std::vector<double> pixels;
@@ -65,7 +74,7 @@ void measure(const StressScene& stress, const Scene& scene, const StressPlan& pl
   cell.largest_sample = 0;
   double total = 0, dark = 0;
   const double start = thread_nanoseconds();
-  for (std::uint64_t seed = first; seed < first + count; ++seed)
+  for (std::uint64_t seed = first; seed < first + count && !stop; ++seed)
     for (std::uint32_t x = 0; x < kPixelsPerSeed; ++x) {
       double sum = 0;
       for (std::uint64_t i = 0; i < kStressSpp; ++i) {
@@ -101,7 +110,8 @@ Verdict verdict(const StressCell& cell, double critical_z) {
 }
 
 std::vector<StressCell> measure_setting(const StressCase& c, const StressSetting& setting,
-                                        const StressPlan& plan, double critical_z) {
+                                        const StressPlan& plan, double critical_z,
+                                        const std::atomic<bool>& stop) {
   const StressScene made = setting.make();
   // As for any scene that is rendered.
   const StressScene stress = stress::transformed(made, 1, -far_place(made.scene).origin);
@@ -109,12 +119,13 @@ std::vector<StressCell> measure_setting(const StressCase& c, const StressSetting
   const auto hit = scene.geometry().closest_hit(stress.ray);
   if (!hit) throw std::runtime_error(fmt::format("{} {}: no receiver", c.name, setting.label));
   const StressTruth truth = exact_radiance(stress, scene.vertex(stress.ray, *hit));
+  const Subject subject{stress, scene, plan.line_rays, stop};
   std::vector<StressCell> cells;
   for (const DirectMethod* method : plan.methods) {
     StressCell cell{&c, &setting, method, truth};
-    measure(stress, scene, plan, 1, plan.seeds, cell);
+    measure(subject, 1, plan.seeds, cell);
     if (looks_biased(cell, critical_z)) {
-      measure(stress, scene, plan, 1 + plan.seeds, kRepetitionFactor * plan.seeds, cell);
+      measure(subject, 1 + plan.seeds, kRepetitionFactor * plan.seeds, cell);
       cell.repeated = true;
     }
     cell.verdict = verdict(cell, critical_z);
@@ -151,7 +162,8 @@ bool do_jobs(std::vector<Job>& jobs, const StressPlan& plan, double critical_z,
     try {
       for (std::size_t i = next++; i < jobs.size() && !stop; i = next++) {
         jobs[i].cells =
-            measure_setting(*jobs[i].stress_case, *jobs[i].setting, plan, critical_z);
+            measure_setting(*jobs[i].stress_case, *jobs[i].setting, plan, critical_z, stop);
+        if (stop) return;  // perhaps in its midst
         const std::lock_guard lock(mutex);
         ++done;
         if (progress) progress(done, jobs.size());
@@ -164,7 +176,11 @@ bool do_jobs(std::vector<Job>& jobs, const StressPlan& plan, double critical_z,
   };
   {
     std::vector<std::jthread> threads;
-    for (int i = 0; i < plan.threads; ++i) threads.emplace_back(work);
+    try {
+      for (int i = 0; i < plan.threads; ++i) threads.emplace_back(work);
+    } catch (const std::system_error&) {  // the system allows no more: fewer do as well
+    }
+    if (threads.empty()) work();
   }
   if (failure) std::rethrow_exception(failure);
   return done == jobs.size();
@@ -215,15 +231,15 @@ std::vector<const StressCell*> StressResult::failures() const {
 std::string stress_rule(double critical_z) {
   return fmt::format(
       "broken: a sample is not finite or below 0. biased: |z| > {:.2f} in two independent "
-      "measurements, where z is the bias beyond rounding ({:g} of the truth, and what it changes "
-      "to begin shadow rays where they begin, and to move the occluders by 4 float roundings) over its standard error, corrected for "
-      "skewness; not said where one sample holds {:g} % of the sum or more, or where pixels are "
-      "dark and the visible part of the lights is too small for a uniform point to hit it {:g} "
-      "times, since the mean then hangs on what was not met yet. Unbiased methods "
-      "are called biased in at most one of {:g} runs (Bonferroni). noisy: "
-      "relative RMSE of {} samples above {:g}. holds: none of these.",
-      critical_z, kRounding, 100 * kLargestShare, 2 * kFewestHits,
-      1 / kFamilyLevel, kStressSpp, kNoisy);
+      "measurements, where z is the bias beyond rounding over its standard error, corrected for "
+      "skewness. Rounding: {:g} of the truth, and what the truth changes when shadow rays begin "
+      "off the surface, as they do, and occluders move by 4 float roundings. No bias is told where "
+      "one sample holds {:g} % of the sum or more, or where pixels are dark and the visible part "
+      "of the lights is too small for a uniform point to hit it {:g} times: the mean then hangs on "
+      "what was not met yet. Unbiased methods are called biased in at most one of {:g} runs "
+      "(Bonferroni). noisy: relative RMSE of {} samples above {:g}. holds: none of these.",
+      critical_z, kRounding, 100 * kLargestShare, 2 * kFewestHits, 1 / kFamilyLevel, kStressSpp,
+      kNoisy);
 }
 
 StressResult run_stress(const StressPlan& plan, const std::atomic<bool>& stop,

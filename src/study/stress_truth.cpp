@@ -242,8 +242,7 @@ StressTruth exact_radiance(const StressScene& scene, const Vertex& vertex) {
     eye[axis] += shift;
     look_from(eye);
   }
-  return {truth.radiance, rounding,
-          truth.visible_share()};
+  return {truth.radiance, rounding, truth.visible_share()};
 }
 
 }  // namespace raytracing

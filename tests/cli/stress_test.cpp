@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 
 #include "support/cli_folder.h"
 
 namespace raytracing {
 namespace {
-
-using Names = std::vector<std::string>;
 
 class StressCommand : public ::testing::Test {
  protected:
@@ -49,6 +48,36 @@ TEST_F(StressCommand, WithoutGnuplotAllElseIsWritten) {
   EXPECT_TRUE(exists("s/stress.gp"));
   EXPECT_TRUE(exists("s/stress.html"));
   EXPECT_FALSE(exists("s/stress.svg"));
+}
+
+TEST_F(StressCommand, ASignalEndsItWithoutResults) {
+  RunOptions options;
+  options.folder = at_.folder.path();
+  options.signal = SIGINT;
+  options.signal_when = "\"progress\":";
+  const RunResult run = run_program({"stress", "--out=s", "--case=terminator", "--seeds=40",
+                                     "--threads=1", "--progress=jsonl"},
+                                    options);
+  EXPECT_EQ(run.exit_code, 130);
+  EXPECT_FALSE(run.killed);
+  EXPECT_NE(run.err.find("stopped: nothing written\n"), std::string::npos) << run.err;
+  EXPECT_TRUE(std::filesystem::is_empty(at_.folder / "s"));
+}
+
+// Ctrl-C reaches the whole group of processes; drawing goes on.
+TEST_F(StressCommand, ASignalToAllLeavesGnuplotAlone) {
+  at_.folder.write("gnuplot", "#!/bin/sh\nkill -INT -- -$PPID\nsleep 0.1\n"
+                              "for name in stress stress_surface; do echo drawn >$name.svg; done\n");
+  std::filesystem::permissions(at_.folder / "gnuplot", std::filesystem::perms::owner_all);
+  const std::string path = "PATH=" + at_.folder.path() + ":/usr/bin:/bin";
+  RunOptions options;
+  options.folder = at_.folder.path();
+  const RunResult run = run_any({"/usr/bin/setsid", "/usr/bin/env", path, RAYTRACING_PROGRAM,
+                                 "stress", "--out=s", "--case=terminator", "--seeds=1"},
+                                options);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(at_.bytes("s/stress_surface.svg"), "drawn\n");
+  EXPECT_TRUE(exists("s/stress.html"));
 }
 
 TEST_F(StressCommand, QuietSaysNothing) {

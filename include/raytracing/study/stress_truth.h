@@ -8,9 +8,9 @@ namespace raytracing {
 /// The exact radiance of a stress scene at one vertex.
 struct StressTruth {
   double radiance;
-  /// How much it changes at most when shadows are those at the origin of the shadow rays, off the
-  /// surface by the few float spacings that rounding asks for, and when the occluders move against it
-  /// by four roundings of their own coordinates: what rays in float32 leave open.
+  /// How much it changes at most when shadow rays begin where the renderer's do, a few float
+  /// spacings off the surface, and when the occluders move by four roundings of their own
+  /// coordinates: what rays in float32 leave open.
   double rounding;
   /// The probability that a point uniform in the area of a light is seen, with the light chosen as
   /// the renderer does: a tenth evenly, the rest by power.
