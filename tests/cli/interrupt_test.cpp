@@ -85,6 +85,33 @@ TEST(Interrupt, AnyMomentLeavesEitherAllOrNothing) {
   }
 }
 
+// Encoding and writing take most of this run: signals over all of it meet them too.
+TEST(Interrupt, SignalsWhileWritingLeaveWholePictures) {
+  const CliFolder folder;
+  RunOptions options;
+  options.folder = folder.folder.path();
+  const std::vector<std::string> arguments{
+      kCornell,        "--spp=1",         "--width=300",   "--height=300",
+      "--max-depth=1", "--output=x.exr", "--output=x.png"};
+  const RunResult whole = run_program(arguments, options);
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  options.signal = SIGTERM;
+  for (int i = 0; i < 6; ++i) {
+    for (const char* name : {"x.exr", "x.png"}) folder.folder.write(name, "old");
+    options.signal_after = whole.seconds * (0.5 + 0.08 * i);
+    const RunResult run = run_program(arguments, options);
+    EXPECT_TRUE(run.exit_code == 143 || run.exit_code == 0) << run.exit_code << run.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.exr", "x.png"})) << run.err;
+    for (const char* name : {"x.exr", "x.png"}) {
+      const bool written = run.out.find(name) != std::string::npos;
+      EXPECT_EQ(folder.bytes(name) != "old", written) << name;
+      if (written) {
+        EXPECT_EQ(read_with_oiio(folder.folder / name).values.size(), 3u * 300 * 300);
+      }
+    }
+  }
+}
+
 TEST(Interrupt, ACompletePictureSaysSo) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"-o", "x.exr", "--stats", "x.json"}).exit_code, 0);
