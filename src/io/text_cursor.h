@@ -133,7 +133,7 @@ class TextCursor {
     line_start_ = at_;
   }
   static constexpr long kExactDigits = 18;  // that 64 bits hold, with a sign
-  // The digits as a number, or one beyond 10^12 when it is as large.
+  // The number that the digits state, or some number of 10^12 or more in place of a larger one.
   static std::uint64_t magnitude_of_many(const char* digits, const char* end);
   [[noreturn]] void bad_number(const char* start, const char* what);
   [[noreturn]] void unexpected_text();

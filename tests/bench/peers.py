@@ -4,8 +4,8 @@
         [--spp 16 64 256] [--rounds 5] [--size 256] [--threads 2] [--references FOLDER]
         [--scalar-rounds 1] [--reference-passes 128]
 
-Needs the PyPI package mitsuba and a library libLLVM (validation/mitsuba_setup.py finds it). Prints a
-table in Markdown for each scene:
+Needs the PyPI package mitsuba and a library libLLVM (validation/mitsuba_setup.py finds it). Prints
+a table in Markdown for each scene:
 
   s           seconds of rendering, median of the rounds. Mitsuba's without loading, building and
               compiling its kernels, for which each picture is rendered once before.
@@ -16,8 +16,8 @@ table in Markdown for each scene:
   Mpath/s     camera paths
 
 All bounces, box filter, the program's and Mitsuba's own defaults for roulette. The references are by
-Mitsuba too, and stay in FOLDER for the next time. For ours they have the height-correlated GGX of
-validation/ggx_correlated.py; for Mitsuba's pictures they have its `roughconductor`, which differs.
+Mitsuba too, and stay in FOLDER for the next time. For ours they have the height-correlated GGX
+of validation/ggx_correlated.py; for Mitsuba's pictures they have its `roughconductor`, which differs.
 """
 
 import argparse
@@ -129,7 +129,8 @@ class Bench:
 
     def measure(self, scene, spp):
         """Rows of all programs, Mitsuba's last."""
-        ours, theirs = self.reference(scene, "ggxcorrelated"), self.reference(scene, "roughconductor")
+        ours = self.reference(scene, "ggxcorrelated")
+        theirs = self.reference(scene, "roughconductor")
         runs = {name: Runs() for name in OURS}
         runs |= {f"Mitsuba {v}, {s}": Runs() for v, s in THEIRS}
         for seed in range(1, self.arguments.rounds + 1):

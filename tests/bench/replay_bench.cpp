@@ -1,5 +1,5 @@
-// How near rendering comes to its limit: the time of the program over the time in which Embree alone
-// answers exactly the same queries, on as many threads.
+// How near rendering comes to its limit: the time of the program over the time in which Embree
+// alone answers exactly the same queries, on as many threads.
 
 #include <fmt/format.h>
 
@@ -87,8 +87,8 @@ void measure(const std::string& name, int reuse) {
 }  // namespace raytracing
 
 int main() {
-  fmt::print("Render time over the time of Embree alone for the same rays: {0}x{0} pixels, {1} spp, "
-             "{2} threads; medians of {3} rounds in turns.\n\n"
+  fmt::print("Render time over the time of Embree alone for the same rays: {0}x{0} pixels, {1} "
+             "spp, {2} threads; medians of {3} rounds in turns.\n\n"
              "| scene | reuse | million rays | render s | replay s | ratio (range) |\n"
              "|---|---|---|---|---|---|\n",
              raytracing::kSize, raytracing::kSpp, raytracing::kThreads, raytracing::kRounds);

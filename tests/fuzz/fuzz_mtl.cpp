@@ -30,7 +30,8 @@ void check_surface(const Surface& surface) {
 
 void check_counts(std::string_view text, std::size_t materials, const LoadReport& report) {
   auto records = count_records(text, {"newmtl"});
-  require(records["newmtl"] == materials + count(report, Severity::warning, "material defined twice"),
+  require(records["newmtl"] ==
+              materials + count(report, Severity::warning, "material defined twice"),
           "every newmtl is a material or told");
   for (const char* known : {"newmtl", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "Pr", "Pm", "illum"})
     records.erase(known);

@@ -167,7 +167,8 @@ TEST(SceneFileErrors, TellWhatIsExpectedAndWhatStandsThere) {
       {"[film]\nwidth = 2.5",
        "scene.toml:5:9: film.width: expected an integer from 1 to 65536, found the number 2.5"},
       {"[render]\nspp = 0",
-       "scene.toml:5:7: render.spp: expected an integer from 1 to 1099511627776, found the integer 0"},
+       "scene.toml:5:7: render.spp: expected an integer from 1 to 1099511627776, found the integer "
+       "0"},
       {"[render]\nlight_sampling = 3",
        "scene.toml:5:18: render.light_sampling: expected a string, found the integer 3"},
       {"fov = \"4\\n0\"",

@@ -1,4 +1,4 @@
-# Chart of reuse_study: efficiency with shared paths over samples. Run it in the folder of the table.
+# Chart of reuse_study: efficiency with shared paths over samples. Run it in the table's folder.
 set datafile separator ";"
 set logscale xy 2
 set format x "%.0f"
