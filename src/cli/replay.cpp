@@ -9,7 +9,10 @@
 namespace raytracing {
 namespace {
 
-std::string text(const Vec3& v) { return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z); }
+template <class V>
+std::string text(const V& v) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
+}
 
 }  // namespace
 
@@ -36,7 +39,7 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
     const PathLog::Step& s = log.steps[i];
     out += fmt::format("vertex {} at {} normal {}\n  throughput {}\n  emitted {}{}\n  direct {}\n"
                        "  goes on with probability {:.9g}\n",
-                       i + 1, text(s.position + origin), text(s.normal), text(s.throughput),
+                       i + 1, text(DVec3(s.position) + DVec3(origin)), text(s.normal), text(s.throughput),
                        text(s.emitted),
                        s.light == kNone ? "" : fmt::format(" (light {})", s.light),
                        text(s.direct), s.survival);

@@ -96,7 +96,8 @@ float ChordSample::parameter(std::span<const Interval> parts, float x) const {
         std::sqrt(line_distance2 / std::max((1 - t) * (1 + t), std::numeric_limits<double>::min()));
     t = (t * root - begin) / static_cast<double>(chord.length);
   }
-  return std::clamp(static_cast<float>(t), parts[i].begin, parts[i].end);
+  return static_cast<float>(std::clamp(t, static_cast<double>(parts[i].begin),
+                                       static_cast<double>(parts[i].end)));
 }
 
 std::optional<ChordSample> sample_chord(const AreaLight& light, const Vec3& from, int direction,

@@ -12,10 +12,6 @@
 #include "raytracing/math/numeric.h"
 #include "trace.h"
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
-
 namespace raytracing {
 namespace {
 
@@ -40,13 +36,6 @@ double thread_cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-// Embree asks for this; slow denormal numbers have no place in a picture.
-void flush_denormals() {
-#if defined(__SSE__)
-  _mm_setcsr(_mm_getcsr() | 0x8040);  // flush to zero, denormals are zero
-#endif
 }
 
 bool is_finite(const Rgb& c) {
@@ -82,7 +71,7 @@ class Job {
 
   // One thread's share.
   void work() {
-    flush_denormals();
+    const FlushedDenormals flushed;
     const double start = thread_cpu_seconds();
     Share share(scene_, camera_, options_);
     const std::uint64_t tiles = passes_done_.size();

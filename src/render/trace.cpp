@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 namespace raytracing {
 namespace {
 
@@ -25,6 +29,14 @@ Ray camera_ray(const Camera& camera, PathSampler& sampler, int x, int y) {
 }
 
 }  // namespace
+
+#if defined(__SSE__)
+FlushedDenormals::FlushedDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+FlushedDenormals::~FlushedDenormals() { _mm_setcsr(before_); }
+#else
+FlushedDenormals::FlushedDenormals() : before_(0) {}
+FlushedDenormals::~FlushedDenormals() = default;
+#endif
 
 PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample) {
   const Numbered n(options, sample);
@@ -68,6 +80,7 @@ Rgb SampleTracer::trace(int x, int y, std::uint64_t sample, Visibility& visibili
 
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
                  int y, std::uint64_t sample, Visibility& visibility, PathLog& log) {
+  const FlushedDenormals flushed;
   if (!shares_paths(options))
     return SampleTracer(scene, camera, options).trace(x, y, sample, visibility, log);
   const PixelGroups groups = groups_of(options, sample);

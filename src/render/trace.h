@@ -9,6 +9,19 @@
 
 namespace raytracing {
 
+/// While it lives, denormal numbers count as 0 in this thread: Embree asks for it, and slow numbers
+/// have no place in a picture.
+class FlushedDenormals {
+ public:
+  FlushedDenormals();
+  ~FlushedDenormals();
+  FlushedDenormals(const FlushedDenormals&) = delete;
+  FlushedDenormals& operator=(const FlushedDenormals&) = delete;
+
+ private:
+  unsigned before_;
+};
+
 /// Whether samples share paths: not where there is nothing to share.
 inline bool shares_paths(const RenderOptions& options) {
   return options.reuse > 1 && options.shade.max_depth != 1u;

@@ -147,7 +147,7 @@ TEST(Compare, VarianceLayersGiveZScores) {
   const CompareFolder folder;
   for (const auto& [name, seed] : {std::pair{"a.exr", "1"}, {"b.exr", "2"}})
     ASSERT_EQ(folder.render({"--sampler", "independent", "--spp", "64", "--seed", seed,
-                             "--variance", "-o", name})
+                             "--variance", "--reuse", "1", "-o", name})
                   .exit_code,
               0);
   const RunResult run =

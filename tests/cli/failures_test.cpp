@@ -16,7 +16,7 @@ TEST(BadInput, ASceneThatIsNotThere) {
                   "rendr: no such scene file or subcommand; the nearest subcommand is render");
   const std::string endless(300, 'x');  // longer than names of files may be
   expect_one_line(folder.run({endless}), 3,
-                  endless + ": no such scene file or subcommand; the nearest subcommand is chart");
+                  endless + ": no such scene file or subcommand; the nearest subcommand is render");
   expect_one_line(folder.run({"comapre", "a.exr", "b.exr"}), 2,
                   "a.exr: comapre: no such scene file or subcommand; the nearest subcommand is "
                   "compare (--help lists all options)");
