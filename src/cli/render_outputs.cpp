@@ -41,7 +41,7 @@ std::string variance_kind(const RenderRecord& r) {
 
 // What the variances of single pixels do not tell, for people.
 std::string correlation_kind(const RenderRecord& r) {
-  if (r.options.reuse == 1 || r.options.shade.max_depth == 1u)
+  if (!shares_paths(r.options))
     return "none: the samples of different pixels are independent";
   return fmt::format("errors of pixels less than {} apart are alike: means over regions vary more "
                      "than the variances of their pixels say",

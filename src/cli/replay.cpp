@@ -30,7 +30,7 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
   std::string out = fmt::format("pixel {},{} sample {} seed {} {} {}\n", replay.x, replay.y,
                                 replay.sample, options.seed, to_string(options.sampler),
                                 options.shade.method->name);
-  if (options.reuse > 1 && options.shade.max_depth != 1u)
+  if (shares_paths(options))
     out += fmt::format("paths are shared by groups of {0}x{0}: vertices of throughput 0 are those "
                        "behind the first bounces of the group; 'direct' is all the light that this "
                        "sample gets by way of them\n",

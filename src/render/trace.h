@@ -22,11 +22,6 @@ class FlushedDenormals {
   unsigned before_;
 };
 
-/// Whether samples share paths: not where there is nothing to share.
-inline bool shares_paths(const RenderOptions& options) {
-  return options.reuse > 1 && options.shade.max_depth != 1u;
-}
-
 /// The groups of sample number `sample`.
 PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample);
 

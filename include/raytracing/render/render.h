@@ -29,6 +29,11 @@ struct RenderOptions {
   int tile_size = 16;
 };
 
+/// Whether samples share paths: not where there is nothing to share.
+inline bool shares_paths(const RenderOptions& options) {
+  return options.reuse > 1 && options.shade.max_depth != 1u;
+}
+
 /// A sample whose radiance was infinite or not a number. It counts as black.
 struct NonFiniteSample {
   int x, y;
