@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "raytracing/io/errors.h"
 
 namespace raytracing {
@@ -39,14 +37,12 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
     const PathLog::Step& s = log.steps[i];
     out += fmt::format("vertex {} at {} normal {}\n  throughput {}\n  emitted {}{}\n  direct {}\n"
                        "  goes on with probability {:.9g}\n",
-                       i + 1, text(DVec3(s.position) + DVec3(origin)), text(s.normal), text(s.throughput),
-                       text(s.emitted),
+                       i + 1, text(DVec3(s.position) + DVec3(origin)), text(s.normal),
+                       text(s.throughput), text(s.emitted),
                        s.light == kNone ? "" : fmt::format(" (light {})", s.light),
                        text(s.direct), s.survival);
   }
-  const bool finite =
-      std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
-  if (!finite) out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
+  if (!is_finite(radiance)) out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
   return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries\n",
                            text(radiance), visibility.counts().closest,
                            visibility.counts().shadow, visibility.counts().segments);

@@ -1,15 +1,6 @@
 #include "raytracing/integrator/path_log.h"
 
-#include <cmath>
-
 namespace raytracing {
-namespace {
-
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-}  // namespace
 
 NonFiniteCause non_finite_cause(const PathLog& log) {
   for (const PathLog::Step& step : log.steps) {

@@ -1,7 +1,6 @@
 #include "model_loader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -11,10 +10,6 @@
 
 namespace raytracing {
 namespace {
-
-bool is_finite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// `name` as seen from the folder of the file `from`.
 std::string beside(const std::string& from, const std::string& name) {
@@ -33,7 +28,7 @@ void ModelLoader::load(const ModelRequest& request) {
   const bool last = --source.uses_left == 0;
   PolygonMesh mesh = last ? std::move(source.obj.mesh) : source.obj.mesh;
   apply(request.transform, mesh);
-  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite)) {
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite<float>)) {
     throw InputError(request.where, "the transform moves vertices beyond the range of a float");
   }
   if (!request.surface && !source.surfaces) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <mutex>
 #include <system_error>
@@ -36,10 +35,6 @@ double thread_cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-bool is_finite(const Rgb& c) {
-  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
 // Keeps the few that come first in the picture, whatever thread found them.

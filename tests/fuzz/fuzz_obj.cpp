@@ -1,8 +1,6 @@
 // OBJ text: a sound mesh or one line that says where; every record is kept, dropped or ignored, and
 // counted as such.
 
-#include <cmath>
-
 #include "fuzz.h"
 #include "raytracing/io/obj.h"
 #include "records.h"
@@ -26,8 +24,7 @@ void check_mesh(const ObjModel& model) {
     require(corner.normal == kNone || corner.normal < mesh.normals.size(), "a normal is there");
   }
   for (const auto* list : {&mesh.positions, &mesh.normals})
-    for (const Vec3& v : *list)
-      require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), "finite");
+    for (const Vec3& v : *list) require(is_finite(v), "finite");
 }
 
 void check_counts(std::string_view text, const ObjModel& model, const LoadReport& report) {

@@ -1,6 +1,8 @@
 #pragma once
 // The one place that configures GLM. Every other file includes this header, never <glm/...>.
 
+#include <cmath>
+
 #define GLM_FORCE_XYZW_ONLY
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -30,5 +32,9 @@ glm::vec<2, T> complex_product(const glm::vec<2, T>& a, const glm::vec<2, T>& b)
   return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 inline bool is_black(const Rgb& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
+template <class T>
+bool is_finite(const glm::vec<3, T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 }  // namespace raytracing

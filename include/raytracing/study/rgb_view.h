@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -31,9 +30,5 @@ class RgbView {
   std::size_t pixels_;
   std::array<std::size_t, 3> offsets_;
 };
-
-inline bool is_finite(const DVec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 }  // namespace raytracing
