@@ -8,14 +8,11 @@
 namespace raytracing {
 namespace {
 
-// The distribution is a defensive mixture (Hesterberg 1995): this share of it falls evenly on all
-// lights, so that no weight exceeds the light's own by far where the powerful ones are hidden.
-constexpr double kEvenShare = 0.1;
-
 DiscreteDistribution choice_by(std::vector<float> powers) {
   double sum = 0;
   for (const float power : powers) sum += static_cast<double>(power);
-  const double even = sum / static_cast<double>(powers.size()) * kEvenShare / (1 - kEvenShare);
+  const double even =
+      sum / static_cast<double>(powers.size()) * kEvenLightShare / (1 - kEvenLightShare);
   for (float& power : powers) power += static_cast<float>(even);
   return DiscreteDistribution(powers);
 }

@@ -129,7 +129,10 @@ struct Seen {
   double power = 0, whole_power = 0;  // of the visible polygons and of the lights; up to a factor
   double share = 0;                   // of the lights' areas that is seen, their mean
 
-  double visible_share() const { return 0.9 * power / whole_power + 0.1 * share; }
+  // As lights are chosen.
+  double visible_share() const {
+    return (1 - kEvenLightShare) * power / whole_power + kEvenLightShare * share;
+  }
 };
 
 // What the vertex reflects of the light that the point `eye` sees.

@@ -36,6 +36,11 @@ struct BuildNotes {
   std::uint64_t averted_lights = 0;    ///< lights with nothing on their emitting side
 };
 
+/// The choice of lights is a defensive mixture (Hesterberg 1995): this share of it falls evenly on
+/// all lights, the rest in proportion to their powers, so that no weight exceeds the light's own by
+/// far where the powerful ones are hidden.
+inline constexpr double kEvenLightShare = 0.1;
+
 /// Everything that rendering reads. Immutable after construction.
 class Scene {
  public:
@@ -47,8 +52,8 @@ class Scene {
   const SegmentVisibility& segments() const { return segments_; }
   const CameraDescription& camera() const { return camera_; }
   std::span<const AreaLight> lights() const { return lights_; }
-  /// Chooses a light with nine tenths of the probability proportional to its power and a tenth the
-  /// same for all. There must be one.
+  /// Chooses a light by its power or, with the probability kEvenLightShare, evenly. There must be
+  /// one.
   DiscreteDistribution::Choice choose_light(float u) const { return light_choice_.sample(u); }
   std::uint32_t index_of(const AreaLight& light) const {
     return static_cast<std::uint32_t>(&light - lights_.data());
