@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <mutex>
-#include <system_error>
-#include <thread>
 #include <tuple>
 
 #include "raytracing/math/numeric.h"
+#include "raytracing/render/threads.h"
 #include "trace.h"
 
 namespace raytracing {
@@ -29,12 +27,6 @@ int tile_edge(const RenderOptions& options) {
 int tile_count(const RenderOptions& options, int pixels) {
   const int largest_shift = shares_paths(options) ? groups_of(options, 0).tile_edge() - 1 : 0;
   return (pixels + largest_shift + tile_edge(options) - 1) / tile_edge(options);
-}
-
-double thread_cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 // Keeps the few that come first in the picture, whatever thread found them.
@@ -66,7 +58,6 @@ class Job {
 
   // One thread's share.
   void work() {
-    const FlushedDenormals flushed;
     const double start = thread_cpu_seconds();
     Share share(scene_, camera_, options_);
     const std::uint64_t tiles = passes_done_.size();
@@ -211,16 +202,8 @@ RenderResult render(const Scene& scene, const RenderOptions& options,
                     const std::atomic<bool>& stop, const ProgressCallback& progress) {
   RenderResult result(Film(options.width, options.height));
   const auto start = std::chrono::steady_clock::now();
-  {
-    Job job(scene, options, stop, progress, result);
-    std::vector<std::jthread> threads;
-    try {
-      for (int i = 0; i < options.threads; ++i) threads.emplace_back([&job] { job.work(); });
-    } catch (const std::system_error&) {  // the system allows no more: fewer do as well
-    }
-    if (threads.empty()) job.work();
-    result.threads = std::max(1, static_cast<int>(threads.size()));
-  }
+  Job job(scene, options, stop, progress, result);
+  result.threads = run_in_threads(options.threads, [&job] { job.work(); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   result.render_seconds = wall.count();
   result.complete =

@@ -1,17 +1,15 @@
 #include "raytracing/study/stress_run.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
-#include <system_error>
-#include <thread>
 
 #include "raytracing/integrator/shade.h"
+#include "raytracing/render/threads.h"
 #include "raytracing/scene/far_scene.h"
 #include "raytracing/study/power_law.h"
 #include "stress_maker.h"
@@ -27,12 +25,6 @@ constexpr double kLargestShare = 0.01;  // of one sample in the sum
 constexpr double kFewestHits = 12;
 constexpr double kDarkPixels = 0.01;
 constexpr std::uint64_t kRepetitionFactor = 4;
-
-double thread_nanoseconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
-}
 
 // Central moments of the pixels' means; two passes keep the digits.
 void set_moments(const std::vector<double>& pixels, StressCell& cell) {
@@ -73,7 +65,7 @@ void measure(const Subject& subject, std::uint64_t first, std::uint64_t count, S
   cell.not_finite = 0;
   cell.largest_sample = 0;
   double total = 0, dark = 0;
-  const double start = thread_nanoseconds();
+  const double start = thread_cpu_seconds();
   for (std::uint64_t seed = first; seed < first + count && !stop; ++seed)
     for (std::uint32_t x = 0; x < kPixelsPerSeed; ++x) {
       double sum = 0;
@@ -92,8 +84,8 @@ void measure(const Subject& subject, std::uint64_t first, std::uint64_t count, S
       pixels.push_back(sum / kStressSpp);
     }
   cell.pixels = pixels.size();
-  cell.nanoseconds =
-      (thread_nanoseconds() - start) / static_cast<double>(kStressSpp * pixels.size());
+  cell.nanoseconds = 1e9 * (thread_cpu_seconds() - start) /
+                     static_cast<double>(kStressSpp * pixels.size());
   cell.largest_share = total > 0 ? cell.largest_sample / total : 0;
   cell.dark_pixels = dark / static_cast<double>(pixels.size());
   set_moments(pixels, cell);
@@ -174,14 +166,7 @@ bool do_jobs(std::vector<Job>& jobs, const StressPlan& plan, double critical_z,
       next = jobs.size();
     }
   };
-  {
-    std::vector<std::jthread> threads;
-    try {
-      for (int i = 0; i < plan.threads; ++i) threads.emplace_back(work);
-    } catch (const std::system_error&) {  // the system allows no more: fewer do as well
-    }
-    if (threads.empty()) work();
-  }
+  run_in_threads(plan.threads, work);
   if (failure) std::rethrow_exception(failure);
   return done == jobs.size();
 }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+namespace raytracing {
+
+/// Processor time of this thread in seconds: other programs count only by what they do to the
+/// caches.
+double thread_cpu_seconds();
+
+/// Runs `work` at once in `threads` threads, or in as many as can be started, with denormal numbers
+/// counting as 0; where none can be started, in this one. Returns their number when all are done.
+/// `work` must not throw.
+int run_in_threads(int threads, const std::function<void()>& work);
+
+}  // namespace raytracing

@@ -1,0 +1,33 @@
+#include "raytracing/render/threads.h"
+
+#include <algorithm>
+#include <ctime>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "trace.h"
+
+namespace raytracing {
+
+double thread_cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+int run_in_threads(int threads, const std::function<void()>& work) {
+  const auto share = [&work] {
+    const FlushedDenormals flushed;
+    work();
+  };
+  std::vector<std::jthread> started;
+  try {
+    for (int i = 0; i < threads; ++i) started.emplace_back(share);
+  } catch (const std::system_error&) {  // the system allows no more: fewer do as well
+  }
+  if (started.empty()) share();
+  return std::max(1, static_cast<int>(started.size()));
+}
+
+}  // namespace raytracing
