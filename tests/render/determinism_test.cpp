@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raytracing/render/render.h"
+#include "support/films.h"
 #include "support/scenes.h"
 
 namespace raytracing {
@@ -30,23 +30,6 @@ RenderOptions options_of(SamplerKind sampler) {
   options.sampler = sampler;
   options.seed = 7;
   return options;
-}
-
-RenderResult render_all(const Scene& scene, const RenderOptions& options) {
-  const std::atomic<bool> stop = false;
-  return render(scene, options, stop, {});
-}
-
-bool same_pixel(const Film::Pixel& a, const Film::Pixel& b) {
-  return a.sum == b.sum && a.sum_of_squares == b.sum_of_squares && a.samples == b.samples;
-}
-
-/// Number of pixels that differ in any bit of their sums.
-int differing_pixels(const Film& a, const Film& b) {
-  int count = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) count += same_pixel(a.at(x, y), b.at(x, y)) ? 0 : 1;
-  return count;
 }
 
 constexpr SamplerKind kSamplers[]{SamplerKind::sobol, SamplerKind::independent};
