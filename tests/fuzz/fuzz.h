@@ -70,4 +70,18 @@ inline std::uint64_t count(const LoadReport& report, LoadReport::Severity severi
   return sum;
 }
 
+/// Lets parse(text, report) read the input, and check_error(text, what) judge what it throws.
+template <class Parse, class CheckError>
+int read_text(const std::uint8_t* data, std::size_t size, const Parse& parse,
+              const CheckError& check_error) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  LoadReport report;
+  try {
+    parse(text, report);
+  } catch (const InputError& error) {
+    check_error(text, error.what());
+  }
+  return 0;
+}
+
 }  // namespace raytracing::fuzz

@@ -33,18 +33,15 @@ void check_scene(const SceneFile& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace raytracing;
-  const std::string text(reinterpret_cast<const char*>(data), size);
-  LoadReport report;
-  try {
+  const auto parse = [](const std::string& text, LoadReport& report) {
     fuzz::check_scene(parse_scene(text, fuzz::kFile, {"point", "solid-angle"}, report));
-  } catch (const InputError& error) {
-    const std::string_view what = error.what();
+  };
+  return fuzz::read_text(data, size, parse, [](const std::string& text, std::string_view what) {
     // A model's own file may be to blame, and what is missing altogether has no place.
     if (text.find("obj") != std::string::npos) {
       fuzz::check_one_line(what);
     } else {
       fuzz::check_message(what, fuzz::kFile, !what.ends_with(": 'camera' is missing"));
     }
-  }
-  return 0;
+  });
 }

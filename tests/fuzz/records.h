@@ -7,12 +7,16 @@
 #include <string>
 #include <string_view>
 
+#include "fuzz.h"
+
 namespace raytracing::fuzz {
 
-/// How many records begin with each keyword. Behind a keyword of `naming` follows a name, where '#'
-/// begins a comment only between blanks.
-inline std::map<std::string, std::uint64_t> count_records(std::string_view text,
-                                                          const std::set<std::string>& naming) {
+/// How many records begin with each keyword.
+using Records = std::map<std::string, std::uint64_t>;
+
+/// The records of a text. Behind a keyword of `naming` follows a name, where '#' begins a comment
+/// only between blanks.
+inline Records count_records(std::string_view text, const std::set<std::string>& naming) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; };
   const auto line_end = [](char c) { return c == '\n' || c == '\r'; };
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
@@ -21,7 +25,7 @@ inline std::map<std::string, std::uint64_t> count_records(std::string_view text,
     if (text[i] != '\n' || i == 0 || text[i - 1] != '\r') all += text[i];
   all += '\n';
 
-  std::map<std::string, std::uint64_t> counts;
+  Records counts;
   for (std::size_t at = 0; at < all.size(); ++at) {  // from record to record
     std::string keyword;
     bool in_keyword = true, comment = false;
@@ -46,6 +50,16 @@ inline std::map<std::string, std::uint64_t> count_records(std::string_view text,
     if (!keyword.empty()) ++counts[keyword];
   }
   return counts;
+}
+
+/// The report must tell all these records as ignored: each as `kind` or as "other <kind>".
+inline void check_ignored(const Records& records, const LoadReport& report,
+                          const std::string& kind) {
+  std::uint64_t sum = 0;
+  for (const auto& [keyword, n] : records) sum += n;
+  require(sum == count(report, LoadReport::Severity::ignored, kind) +
+                     count(report, LoadReport::Severity::ignored, "other " + kind),
+          "every other record is counted", kind);
 }
 
 }  // namespace raytracing::fuzz
