@@ -16,6 +16,7 @@
 #include "bench/recorded_rays.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
+#include "raytracing/study/curves.h"
 
 namespace raytracing {
 namespace {
@@ -57,11 +58,6 @@ double run_program(const std::filesystem::path& scene, int reuse) {
   std::filesystem::remove(picture);
   std::filesystem::remove(stats);
   return seconds;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 void measure(const std::string& name, int reuse) {

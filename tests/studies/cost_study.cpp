@@ -5,6 +5,7 @@
 #include "raytracing/integrator/direct_method.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/lights/chord_sample.h"
+#include "raytracing/render/threads.h"
 #include "raytracing/scene/camera.h"
 #include "raytracing/study/power_law.h"
 #include "studies/study.h"
@@ -72,9 +73,9 @@ struct Cost {
 // Seconds per question of one block.
 template <class F>
 double time_block(const std::vector<Question>& questions, const F& query) {
-  const double start = thread_seconds();
+  const double start = thread_cpu_seconds();
   for (const Question& q : questions) query(q);
-  return (thread_seconds() - start) / static_cast<double>(questions.size());
+  return (thread_cpu_seconds() - start) / static_cast<double>(questions.size());
 }
 
 Cost measure_cost(const Scene& scene, const std::vector<Question>& questions,

@@ -1,11 +1,10 @@
 #pragma once
-// What the studies share: reports in Markdown, tables for the charts, quantiles and clocks.
+// What the studies share: reports in Markdown, tables for the charts, quantiles.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -13,6 +12,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "raytracing/study/curves.h"
 
 namespace raytracing {
 
@@ -52,19 +53,6 @@ class StudyReport {
   std::filesystem::path folder_;
   std::string name_, text_;
 };
-
-/// Processor time of this thread: other programs count only by what they do to the caches.
-inline double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-inline double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
 
 /// The quartile below (0.25) or above (0.75), or any other quantile.
 inline double quantile(std::vector<double> values, double q) {
