@@ -15,6 +15,7 @@
 #include "raytracing/study/chart_report.h"
 #include "raytracing/study/chart_runs.h"
 #include "raytracing/study/chart_summary.h"
+#include "result_folder.h"
 #include "scene_notes.h"
 #include "signals.h"
 
@@ -49,7 +50,11 @@ class Chart {
  public:
   Chart(const ChartArguments& arguments, const ChartSettings& settings,
         const std::string& command_line, const StopOnSignal& signals)
-      : a_(arguments), settings_(settings), command_line_(command_line), signals_(signals) {}
+      : a_(arguments),
+        settings_(settings),
+        command_line_(command_line),
+        signals_(signals),
+        folder_(arguments.folder, arguments.quiet) {}
 
   /// The exit code.
   int make(const Scene& scene) {
@@ -61,9 +66,7 @@ class Chart {
         fmt::print(stderr, "warning: {}: its header does not tell {}: not checked\n", a_.reference,
                    reference_->unchecked);
     }
-    std::error_code error;
-    std::filesystem::create_directories(a_.folder, error);
-    if (error) throw OutputError(a_.folder + ": " + error.message());
+    folder_.create();
     claim_folder(a_.folder, settings_json(settings_, reference_id(), mask_id_));
     if (!reference_ && !take_auto_reference(scene))
       return stopped("before the reference was complete: the same command begins it anew");
@@ -153,15 +156,16 @@ class Chart {
   void write_results(const ChartSummary& summary, const RunLog& log,
                      const PixelMask& counted) const {
     tell_bias(summary);
-    print_path("runs.csv");
+    folder_.print_path("runs.csv");
     nlohmann::ordered_json json = settings_json(settings_, reference_id(), mask_id_);
     json.update(to_json(summary));
-    write("summary.json", json.dump(2) + "\n");
-    write("chart.dat", plot_data(summary, plot_bottom(summary)));
-    write("chart.gp", plot_script(summary, chart_title(settings_)));
+    folder_.write("summary.json", json.dump(2) + "\n");
+    folder_.write("chart.dat", plot_data(summary, plot_bottom(summary)));
+    folder_.write("chart.gp", plot_script(summary, chart_title(settings_)));
     const auto write_report = [&](bool has_charts) {
-      write("report.html", report_html(chart_report(settings_, summary, log, *reference_, counted,
-                                                    has_charts, facts())));
+      folder_.write("report.html",
+                    report_html(chart_report(settings_, summary, log, *reference_, counted,
+                                             has_charts, facts())));
     };
     try {
       write_report(draw());
@@ -179,7 +183,7 @@ class Chart {
     }
     for (const char* name : {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg",
                              "error_vs_spp.png"})
-      print_path(name);
+      folder_.print_path(name);
     return true;
   }
 
@@ -203,15 +207,6 @@ class Chart {
     return kExitSignalBase + signals_.signal();
   }
 
-  void write(const std::string& name, const std::string& bytes) const {
-    OutputFile file(a_.folder + "/" + name);
-    file.write(bytes);
-    file.commit();
-    print_path(name);
-  }
-  void print_path(const std::string& name) const {
-    if (!a_.quiet) fmt::print("{}/{}\n", a_.folder, name);
-  }
   void tell(const std::string& line) const {
     if (!a_.quiet) fmt::print(stderr, "{}\n", line);
   }
@@ -220,6 +215,7 @@ class Chart {
   const ChartSettings& settings_;
   const std::string& command_line_;
   const StopOnSignal& signals_;
+  const ResultFolder folder_;
   std::optional<Reference> reference_;
   std::string mask_id_ = "none";
 };

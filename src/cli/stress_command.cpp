@@ -1,48 +1,22 @@
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <cstdio>
 
 #include "build_info.h"
 #include "commands.h"
 #include "raytracing/cli/app.h"
-#include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/study/chart_plot.h"
 #include "raytracing/study/stress_page.h"
 #include "raytracing/study/stress_plot.h"
+#include "result_folder.h"
 #include "signals.h"
 #include "stress_options.h"
 
 namespace raytracing {
 namespace {
 
-/// Where the results go.
-class Folder {
- public:
-  Folder(std::string path, bool quiet) : path_(std::move(path)), quiet_(quiet) {
-    std::error_code error;
-    std::filesystem::create_directories(path_, error);
-    if (error) throw OutputError(path_ + ": " + error.message());
-    OutputFile probe(path_ + "/stress.csv");  // before the work, not after it
-  }
-
-  const std::string& path() const { return path_; }
-  void write(const std::string& name, const std::string& bytes) const {
-    OutputFile file(path_ + "/" + name);
-    file.write(bytes);
-    file.commit();
-    print_path(name);
-  }
-  void print_path(const std::string& name) const {
-    if (!quiet_) fmt::print("{}/{}\n", path_, name);
-  }
-
- private:
-  std::string path_;
-  bool quiet_;
-};
-
-bool draw(const StressResult& result, const Folder& folder) {
+bool draw(const StressResult& result, const ResultFolder& folder) {
   if (!run_gnuplot(folder.path(), "stress.gp")) {
     fmt::print(stderr, "no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); gnuplot "
                        "stress.gp in the folder draws them\n");
@@ -53,7 +27,7 @@ bool draw(const StressResult& result, const Folder& folder) {
   return true;
 }
 
-void write_results(const StressResult& result, const StressArguments& a, const Folder& folder,
+void write_results(const StressResult& result, const StressArguments& a, const ResultFolder& folder,
                    const std::string& command_line) {
   folder.write("stress.csv", stress_csv(result));
   folder.write("stress.dat", stress_plot_data(result));
@@ -94,7 +68,11 @@ int stress_command(const Arguments& arguments) {
     return kExitGood;
   }
   const StopOnSignal signals;  // before there are temporary files to leave behind
-  const Folder folder(a.folder, a.quiet);
+  const ResultFolder folder(a.folder, a.quiet);
+  folder.create();
+  {
+    const OutputFile probe(folder.path() + "/stress.csv");  // before the work, not after it
+  }
   ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
   const StressResult result =
       run_stress(a.plan, signals.stop(),
