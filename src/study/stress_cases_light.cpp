@@ -30,29 +30,21 @@ StressScene distance(float d) {
   return maker.scene;
 }
 
-// A wall in the plane x = g from the receiver, beside it.
-StressScene grazing(float g) {
+// A wall of light across the x axis, seen over the receiver from its side.
+StressScene wall(const Vec3& center, float half_height = 0.5f) {
   Maker maker(kGrey, {-0.48f, -0.36f, 0.8f});
-  maker.add_light(
-      parallelogram(kPoint + Vec3(g, 1.0f, 0.6f), {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.4f}));
+  maker.add_light(parallelogram(center, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, half_height}));
   return maker.scene;
 }
+
+// A wall in the plane x = g from the receiver, beside it.
+StressScene grazing(float g) { return wall(kPoint + Vec3(g, 1.0f, 0.6f), 0.4f); }
 
 // A wall that reaches `above` over the horizon, and the rest of its height of 1 below.
-StressScene horizon(float above) {
-  Maker maker(kGrey, {-0.48f, -0.36f, 0.8f});
-  maker.add_light(parallelogram(Vec3(1.0f, 0.1f, above - 0.5f), {0.0f, 0.5f, 0.0f},
-                                {0.0f, 0.0f, 0.5f}));
-  return maker.scene;
-}
+StressScene horizon(float above) { return wall(Vec3(1.0f, 0.1f, above - 0.5f)); }
 
 // A wall that stands on the receiver's plane, one corner at the distance d.
-StressScene corner(float d) {
-  Maker maker(kGrey, {-0.48f, -0.36f, 0.8f});
-  maker.add_light(
-      parallelogram(kPoint + Vec3(d, 0.5f, 0.5f), {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.5f}));
-  return maker.scene;
-}
+StressScene corner(float d) { return wall(kPoint + Vec3(d, 0.5f, 0.5f)); }
 
 }  // namespace
 
