@@ -97,8 +97,8 @@ struct RenderOptionList : OptionList {
                fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
                            "(none), 2, 4 or 8; default {}. Unbiased, and --variance stays right "
                            "for each pixel; but errors of pixels less than {} N apart are alike, "
-                           "so means over regions are less sure than as many independent pixels: over "
-                           "16 x 16 pixels their variance was 2.5 to 5 times that with 4",
+                           "so means over regions are less sure than as many independent pixels: "
+                           "over 16 x 16 pixels their variance was 2.5 to 5 times that with 4",
                            a.reuse, PixelGroups::kStride));
     add_choice("--light-sampling", direct_method_names(),
                [this](const std::string& name) { a.light_sampling = name; },

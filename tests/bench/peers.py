@@ -15,9 +15,10 @@ a table in Markdown for each scene:
   efficiency  1 / (relMSE * s); below it, in proportion to the best of Mitsuba's at as many samples
   Mpath/s     camera paths
 
-All bounces, box filter, the program's and Mitsuba's own defaults for roulette. The references are by
-Mitsuba too, and stay in FOLDER for the next time. For ours they have the height-correlated GGX
-of validation/ggx_correlated.py; for Mitsuba's pictures they have its `roughconductor`, which differs.
+All bounces, box filter, the program's and Mitsuba's own defaults for roulette. The references are
+by Mitsuba too, and stay in FOLDER for the next time. For ours they have the height-correlated GGX
+of validation/ggx_correlated.py; for Mitsuba's pictures they have its `roughconductor`, which
+differs.
 """
 
 import argparse

@@ -66,8 +66,9 @@ TEST_F(StressCommand, ASignalEndsItWithoutResults) {
 
 // Ctrl-C reaches the whole group of processes; drawing goes on.
 TEST_F(StressCommand, ASignalToAllLeavesGnuplotAlone) {
-  at_.folder.write("gnuplot", "#!/bin/sh\nkill -INT -- -$PPID\nsleep 0.1\n"
-                              "for name in stress stress_surface; do echo drawn >$name.svg; done\n");
+  at_.folder.write("gnuplot",
+                   "#!/bin/sh\nkill -INT -- -$PPID\nsleep 0.1\n"
+                   "for name in stress stress_surface; do echo drawn >$name.svg; done\n");
   std::filesystem::permissions(at_.folder / "gnuplot", std::filesystem::perms::owner_all);
   const std::string path = "PATH=" + at_.folder.path() + ":/usr/bin:/bin";
   RunOptions options;

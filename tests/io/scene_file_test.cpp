@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "raytracing/io/nearest_name.h"
 #include "support/scene_folder.h"
 
 namespace raytracing {
@@ -289,14 +288,6 @@ TEST(SceneFileErrors, LocateSyntaxErrors) {
 TEST(SceneFileErrors, NameAMissingSceneFile) {
   LoadReport report;
   EXPECT_THROW(load_scene_file("/nowhere/scene.toml", {}, report), InputError);
-}
-
-TEST(NearestName, CountsInsertionsErasuresAndReplacements) {
-  EXPECT_EQ(nearest_name("wdth", {"height", "width"}), "width");
-  EXPECT_EQ(nearest_name("widthh", {"height", "width"}), "width");
-  EXPECT_EQ(nearest_name("wadth", {"height", "width"}), "width");
-  EXPECT_EQ(nearest_name("", {"longer", "up"}), "up");
-  EXPECT_EQ(nearest_name("x", {"a", "b"}), "a");
 }
 
 }  // namespace

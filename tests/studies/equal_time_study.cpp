@@ -227,8 +227,8 @@ void run(StudyReport& report) {
       "penumbra pixels that show one flat surface, {3} seeds each. Reference: two halves of "
       "line at {4} spp; its own relMSE, {5:.1e}, is subtracted. Time: processor time of all "
       "threads for the whole picture; median of {6} renders of {7} spp, the methods in turn, "
-      "times the samples. \"Padded\" is an experiment that render() does not offer: pixel and light "
-      "by separate 2D pairs, at the time of the method.\n\n",
+      "times the samples. \"Padded\" is an experiment that render() does not offer: pixel and "
+      "light by separate 2D pairs, at the time of the method.\n\n",
       kSize, pixels.size(), in_mask, kSeeds, kReferenceSpp, reference.floor, kTimings, kTimedSpp);
   report.print("| method | time of one spp / point's | relMSE at 16 | 64 | 256 | last | exponent | "
                "s to 1e-5 | s to 1e-6 |\n|---|---|---|---|---|---|---|---|---|\n");

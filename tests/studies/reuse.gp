@@ -10,7 +10,9 @@ set yrange [1:32]
 scenes = "`head -1 reuse_efficiency.csv | cut -d';' -f2- | tr ';' ' '`"
 do for [output in "png svg"] {
   if (output eq "png") { set terminal pngcairo size 1000,460 noenhanced font "sans,11" }
-  if (output eq "svg") { set terminal svg size 1000,460 noenhanced font "sans,11" background rgb "white" }
+  if (output eq "svg") {
+    set terminal svg size 1000,460 noenhanced font "sans,11" background rgb "white"
+  }
   set output "reuse." . output
   set multiplot layout 1,3 title "1/(relMSE s), times that without sharing"
   do for [i = 0:2] {

@@ -20,7 +20,8 @@ OBJ = {
     "index-0": SQUARE + b"f 1 2 0\n",
     "index-too-large": SQUARE + b"f 1 2 99999999999999999999\n",
     "forward": b"f 1//1 2 3//1\nf 2 3 4\n" + SQUARE + b"vn 0 0 0\n",
-    "numbers": b"v +2 .5 1.E-1\nv -0 1e-60 1e38 .5\nv 1 2 3 .1 .2 .3\nv 1 2 3 4 5 6 7\nvn 1e30 0 0\n",
+    "numbers": b"v +2 .5 1.E-1\nv -0 1e-60 1e38 .5\nv 1 2 3 .1 .2 .3\nv 1 2 3 4 5 6 7\n"
+               b"vn 1e30 0 0\n",
     "overflow": b"v 0 1e39 0\n",
     "comma": b"v 1,5 0 0\n",
     "nan": b"v 0 nan inf\n",
@@ -85,7 +86,8 @@ PNG = {
     "interlaced": png(0, 8, bytes(6), interlace=1),
     "text": png(0, 8, bytes(6), chunk(b"zTXt", b"a\0\0" + zlib.compress(b"x" * 99)) +
                 chunk(b"iTXt", b"b\0\0\0\0\0text")),
-    "huge": b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 65536, 60000, 8, 2, 0, 0, 0)),
+    "huge": b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 65536, 60000, 8, 2,
+                                                             0, 0, 0)),
 }
 
 
