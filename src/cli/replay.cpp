@@ -42,7 +42,8 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
                        s.light == kNone ? "" : fmt::format(" (light {})", s.light),
                        text(s.direct), s.survival);
   }
-  if (!is_finite(radiance)) out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
+  if (!is_finite(radiance))
+    out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
   return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries\n",
                            text(radiance), visibility.counts().closest,
                            visibility.counts().shadow, visibility.counts().segments);
