@@ -63,8 +63,8 @@ class Chart {
     if (a_.reference != "auto") {
       reference_ = read_reference(a_.reference, terms());
       if (!reference_->unchecked.empty())
-        fmt::print(stderr, "warning: {}: its header does not tell {}: not checked\n", a_.reference,
-                   reference_->unchecked);
+        fmt::print(stderr, "warning: {}: its header does not tell {}: not checked\n",
+                   one_line(a_.reference), reference_->unchecked);
     }
     folder_.create();
     claim_folder(a_.folder, settings_json(settings_, reference_id(), mask_id_));
@@ -77,7 +77,8 @@ class Chart {
     RunLog log(a_.folder);
     if (log.dropped() > 0)
       fmt::print(stderr, "warning: {} rows of {}/runs.csv have no picture in runs/ and are made "
-                         "anew; the old table is kept as runs.csv.old\n", log.dropped(), a_.folder);
+                         "anew; the old table is kept as runs.csv.old\n",
+                 log.dropped(), one_line(a_.folder));
     if (!make_all_runs(scene, {*reference_, counted, floor}, log))
       return stopped("finished runs are kept; the same command goes on");
     write_results(summarise_runs(settings_, log, *reference_, counted), log, counted);

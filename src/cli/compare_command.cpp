@@ -100,7 +100,7 @@ int compare_command(const Arguments& arguments) {
   if (!a.z_scores.empty()) z_picture.emplace(a.z_scores);
   if (!a.json.empty()) json.emplace(a.json);
   for (const std::string& note : header_notes(test, a.test, reference, a.reference))
-    fmt::print(stderr, "{}\n", note);
+    fmt::print(stderr, "{}\n", one_line(note));
   fmt::print("{}", comparison_text(comparison));
   if (diff) {
     diff->write(encode_image(error_picture(test, reference, mask), image_format(a.diff)));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
+#include "raytracing/io/errors.h"
 #include "raytracing/study/flip.h"
 #include "raytracing/study/reference.h"
 
@@ -96,7 +97,8 @@ void add_notes_on(const ImageData& image, const std::string& path,
 
 std::string comparison_text(const Comparison& c) {
   std::string text = fmt::format("x = {}\nr = {}\nmeans over R, G and B of {} pixels\n",
-                                 c.test_path, c.reference_path, c.metrics.pixels);
+                                 one_line(c.test_path), one_line(c.reference_path),
+                                 c.metrics.pixels);
   for (const Row& row : rows(c)) {
     const double* real = std::get_if<double>(&row.value);
     const std::string number = real ? fmt::format("{:.6g}", *real)

@@ -24,7 +24,9 @@ void print_load_report(const LoadReport& report, const SceneFile& scene, bool qu
   for (const LoadReport::Entry& e : report.entries()) {
     const bool told_when_quiet = e.severity != LoadReport::Severity::ignored;
     if (quiet && !told_when_quiet) continue;
-    fmt::print(stderr, "{}: {}: {}\n", to_string(e.first), to_string(e.severity), text(e));
+    fmt::print(stderr, "{}\n",
+               one_line(fmt::format("{}: {}: {}", to_string(e.first), to_string(e.severity),
+                                    text(e))));
   }
   const std::uint64_t repaired = report.count(LoadReport::Severity::repaired);
   const std::uint64_t dropped = report.count(LoadReport::Severity::dropped);

@@ -104,6 +104,16 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
   }
 }
 
+TEST(CompareExit, ALineBreakInAFileNameMakesNoSecondLine) {
+  const CompareFolder folder;
+  folder.write("a\nb.exr", rgb_picture(1, 1, {1, 1, 1}, {{"complete", "no, stopped early"}}));
+  const RunResult run = folder.compare({"a\nb.exr", "a\nb.exr"});
+  EXPECT_EQ(run.exit_code, 0);
+  const std::string note = "warning: a b.exr: its rendering was stopped early\n";
+  EXPECT_EQ(run.err, note + note);
+  EXPECT_TRUE(run.out.starts_with("x = a b.exr\nr = a b.exr\n")) << run.out;
+}
+
 TEST(CompareExit, RenderedPicturesCarryWhatTheNotesNeed) {
   const CompareFolder folder;
   ASSERT_EQ(folder.render({"-o", "a.exr", "--light-sampling", "line-ratio"}).exit_code, 0);

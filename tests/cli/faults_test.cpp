@@ -70,6 +70,15 @@ TEST(Faults, MissingMaterialsAndTexturesAreTold) {
   EXPECT_EQ(directory.err, "Raytracing: no.mtl: Is a directory\n");
 }
 
+TEST(Faults, ALineBreakInAFileNameMakesNoSecondLine) {
+  const CliFolder folder;
+  folder.folder.write("s.toml", kScene + "[[models]]\nobj = \"a\\nb.obj\"\n");
+  folder.folder.write("a\nb.obj", kSquare + "usemtl x\nf 1 2 3 4\n");
+  const RunResult run = folder.run({"s.toml", "--spp=1", "--quiet"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(run.err.starts_with("a b.obj:5:8: repaired: material not defined: 'x'\n")) << run.err;
+}
+
 TEST(Faults, NumbersThatAreNoneInAScene) {
   const CliFolder folder;
   for (const char* line : {"fov = nan", "up = [0, inf, 0]", "up = [0, 1e39, 0]", "fov = -1"}) {
