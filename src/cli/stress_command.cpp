@@ -1,10 +1,16 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "build_info.h"
 #include "commands.h"
 #include "raytracing/cli/app.h"
+#include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/study/chart_plot.h"
 #include "raytracing/study/stress_page.h"
@@ -16,15 +22,36 @@
 namespace raytracing {
 namespace {
 
-bool draw(const StressResult& result, const ResultFolder& folder) {
+// Of pictures' names.
+std::vector<std::string> with_extensions(const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const std::string& name : names)
+    for (const char* extension : {".svg", ".png"}) files.push_back(name + extension);
+  return files;
+}
+
+// The files drawn: none where gnuplot is missing.
+std::vector<std::string> draw(const StressResult& result, const ResultFolder& folder) {
   if (!run_gnuplot(folder.path(), "stress.gp")) {
     fmt::print(stderr, "no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); gnuplot "
                        "stress.gp in the folder draws them\n");
-    return false;
+    return {};
   }
-  for (const std::string& name : stress_pictures(result))
-    for (const char* extension : {".svg", ".png"}) folder.print_path(name + extension);
-  return true;
+  const std::vector<std::string> drawn = with_extensions(stress_pictures(result));
+  for (const std::string& name : drawn) folder.print_path(name);
+  return drawn;
+}
+
+// Names the pictures that an earlier run left here, of other cases or with gnuplot at hand.
+void tell_old_pictures(const std::vector<std::string>& drawn, const ResultFolder& folder) {
+  std::vector<std::string> old;
+  for (const std::string& name : with_extensions(all_stress_pictures()))
+    if (std::find(drawn.begin(), drawn.end(), name) == drawn.end() &&
+        std::filesystem::exists(folder.path() + "/" + name))
+      old.push_back(name);
+  if (!old.empty())
+    fmt::print(stderr, "warning: {}: left by an earlier run: {}\n", one_line(folder.path()),
+               fmt::join(old, ", "));
 }
 
 void write_results(const StressResult& result, const StressArguments& a, const ResultFolder& folder,
@@ -32,15 +59,16 @@ void write_results(const StressResult& result, const StressArguments& a, const R
   folder.write("stress.csv", stress_csv(result));
   folder.write("stress.dat", stress_plot_data(result));
   folder.write("stress.gp", stress_plot_script(result));
-  const bool has_pictures = draw(result, folder);
+  const std::vector<std::string> drawn = draw(result, folder);
   folder.write("stress.html",
-               report_html(stress_report(result, folder.path(), has_pictures,
+               report_html(stress_report(result, folder.path(), !drawn.empty(),
                                          {{"command", command_line},
                                           {"version", program_version()},
                                           {"build", build_description()},
                                           {"machine", machine_description()},
                                           {"seeds", std::to_string(a.plan.seeds)},
                                           {"line rays", std::to_string(a.plan.line_rays)}})));
+  tell_old_pictures(drawn, folder);
 }
 
 void print_verdicts(const StressResult& result) {

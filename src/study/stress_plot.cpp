@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "stress_table.h"
 
@@ -131,6 +132,12 @@ std::string draw(const std::string& name, int width, int height, const std::stri
                             width, height, name, commands);
 }
 
+// The picture of the case's family, once: cases of a family follow one another.
+void add_family(const StressCase& c, std::vector<std::string>& names) {
+  std::string name = fmt::format("stress_{}", c.family);
+  if (names.back() != name) names.push_back(std::move(name));
+}
+
 }  // namespace
 
 std::string stress_csv(const StressResult& result) {
@@ -152,10 +159,13 @@ std::string stress_csv(const StressResult& result) {
 
 std::vector<std::string> stress_pictures(const StressResult& result) {
   std::vector<std::string> names{"stress"};
-  for (const StressTable& table : stress_tables(result)) {
-    const std::string name = fmt::format("stress_{}", table.stress_case->family);
-    if (names.back() != name) names.push_back(name);
-  }
+  for (const StressTable& table : stress_tables(result)) add_family(*table.stress_case, names);
+  return names;
+}
+
+std::vector<std::string> all_stress_pictures() {
+  std::vector<std::string> names{"stress"};
+  for (const StressCase& c : stress_cases()) add_family(c, names);
   return names;
 }
 

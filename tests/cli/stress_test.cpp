@@ -50,6 +50,22 @@ TEST_F(StressCommand, WithoutGnuplotAllElseIsWritten) {
   EXPECT_FALSE(exists("s/stress.svg"));
 }
 
+TEST_F(StressCommand, PicturesOfAnEarlierRunAreToldAndKept) {
+  for (const char* name : {"s/stress_light.svg", "s/stress_surface.png", "s/stress_old.svg"})
+    at_.folder.write(name, "old");
+  const Names run_without{"/usr/bin/env", "PATH=/nowhere", RAYTRACING_PROGRAM, "stress", "--out=s",
+                          "--case=terminator", "--seeds=1", "--methods=line", "--quiet"};
+  RunOptions options;
+  options.folder = at_.folder.path();
+  const std::string told = run_any(run_without, options).err;
+  EXPECT_NE(told.find("warning: s: left by an earlier run: stress_light.svg, stress_surface.png\n"),
+            std::string::npos) << told;
+  if (std::system("gnuplot --version >/dev/null 2>&1") == 0)
+    EXPECT_EQ(stress({"--case=terminator", "--seeds=1", "--methods=line", "--quiet"}).err,
+              "warning: s: left by an earlier run: stress_light.svg\n");
+  EXPECT_EQ(at_.bytes("s/stress_light.svg"), "old");
+}
+
 TEST_F(StressCommand, ASignalEndsItWithoutResults) {
   RunOptions options;
   options.folder = at_.folder.path();

@@ -12,6 +12,8 @@ std::string stress_csv(const StressResult& result);
 
 /// The pictures' names without extension: "stress", the overview, then one for each family.
 std::vector<std::string> stress_pictures(const StressResult& result);
+/// The same of a run of all cases.
+std::vector<std::string> all_stress_pictures();
 
 /// The cells of the heat maps, a block for each case, then one for the overview; for gnuplot's
 /// `index`.
