@@ -76,7 +76,7 @@ TEST(Faults, ALineBreakInAFileNameMakesNoSecondLine) {
   folder.folder.write("a\nb.obj", kSquare + "usemtl x\nf 1 2 3 4\n");
   const RunResult run = folder.run({"s.toml", "--spp=1", "--quiet"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_TRUE(run.err.starts_with("a b.obj:5:8: repaired: material not defined: 'x'\n")) << run.err;
+  EXPECT_TRUE(run.err.starts_with("a b.obj:5:1: repaired: material not defined: 'x'\n")) << run.err;
 }
 
 TEST(Faults, NumbersThatAreNoneInAScene) {
