@@ -1,19 +1,36 @@
 #include "raytracing/sampling/discrete.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "raytracing/math/numeric.h"
 
 namespace raytracing {
+namespace {
 
+constexpr float kStep = 0x1p-24f;  // of the uniform numbers: unit_float()
+constexpr double kSteps = 0x1p24;
+
+}  // namespace
+
+// The borders between the choices are whole steps too. Each positive weight gets one step for itself,
+// which no rounding takes, and its share of the rest.
 DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  double sum = 0;
+  const auto positive = static_cast<double>(
+      std::count_if(weights.begin(), weights.end(), [](float weight) { return weight > 0; }));
+  const double own = positive <= kSteps ? 1 : 0;
+  const double shared = kSteps - own * positive;
+  double sum = 0, owned = 0;
+  float below = 0;
   for (float weight : weights) {
-    pmf_.push_back(static_cast<float>(weight / total));
     sum += weight;
-    cdf_.push_back(static_cast<float>(sum / total));
+    if (weight > 0) owned += own;
+    const float border = static_cast<float>(owned + std::round(sum / total * shared)) * kStep;
+    pmf_.push_back(border - below);
+    cdf_.push_back(border);
+    below = border;
   }
 }
 
@@ -21,7 +38,7 @@ DiscreteDistribution::Choice DiscreteDistribution::sample_many(float u) const {
   const auto it = std::upper_bound(cdf_.begin(), cdf_.end() - 1, u);
   const auto index = static_cast<std::uint32_t>(it - cdf_.begin());
   const float below = index == 0 ? 0.0f : cdf_[index - 1];
-  const float rest = (u - below) / (cdf_[index] - below);
+  const float rest = (u - below) / pmf_[index];
   return {index, pmf_[index], std::clamp(rest, 0.0f, kOneMinus)};
 }
 

@@ -6,7 +6,10 @@
 
 namespace raytracing {
 
-/// Choice among n things with given probabilities, by inversion of the cumulative sum.
+/// Choice among n things with given probabilities, by inversion of the cumulative sum. The
+/// probabilities are whole steps of the uniform numbers, 2^-24, so that choices are made exactly as
+/// often as told: each positive weight has at least one (where there are not more than 2^24), and its
+/// share of all others.
 class DiscreteDistribution {
  public:
   DiscreteDistribution() = default;
