@@ -69,17 +69,18 @@ struct Corners {
   Lanes e;
 };
 
-// Where the edges between a and b meet the plane. Always from the side e >= 0 to the other: the two
-// triangles that share an edge get the same point, and nothing shines through between them. In
-// space: the plane's coordinates of corners far from it are large where the segment is near, and
-// their rounding would be that of t.
+// Where the edges between a and b meet the plane. Always from the corner that is nearer to it, or,
+// of two as near, from the side e >= 0: the two triangles that share an edge get the same point, and
+// nothing shines through between them. In space, and from the nearer corner: where the segment is
+// near, the plane's coordinates of corners far from it are large, and so is the rounding of the
+// corners' own places; it would be that of t.
 [[gnu::always_inline]] inline Points crossing(const Corners& a, const Corners& b) {
-  const Mask a_above = a.e >= 0;
-  const Points above = select(a_above, a.at, b.at), below = select(a_above, b.at, a.at);
-  const Lanes e_above = select(a_above, a.e, b.e), e_below = select(a_above, b.e, a.e);
-  const Lanes s = e_above / (e_above - e_below);
-  return {above.x + s * (below.x - above.x), above.y + s * (below.y - above.y),
-          above.z + s * (below.z - above.z)};
+  const Mask a_first = (a.e >= 0) == (a.e + b.e <= 0);  // the signs of the two differ
+  const Points first = select(a_first, a.at, b.at), second = select(a_first, b.at, a.at);
+  const Lanes e_first = select(a_first, a.e, b.e), e_second = select(a_first, b.e, a.e);
+  const Lanes s = e_first / (e_first - e_second);
+  return {first.x + s * (second.x - first.x), first.y + s * (second.y - first.y),
+          first.z + s * (second.z - first.z)};
 }
 
 // Whether the planes of eight triangles, with corners given from p, separate p from some of the
