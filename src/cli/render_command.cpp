@@ -126,7 +126,8 @@ int render_command(const Arguments& arguments) {
   if (!a.replay) outputs.emplace(a, file);
   const Stopwatch build_time;
   const Vec3 origin = bring_near(file.scene);
-  const Scene scene(std::move(file.scene), a.threads, options.shade.method->asks_segments);
+  const Scene scene(std::move(file.scene), a.threads,
+                    options.shade.method->asks_segments || shares_paths(options));
   const double build_seconds = build_time.seconds();
   print_scene_notes(scene, a.quiet, a.strict);
   if (a.replay) {

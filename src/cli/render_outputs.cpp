@@ -145,6 +145,7 @@ std::string stats_json(const RenderRecord& r) {
   j["rays_closest"] = r.result.rays.closest;
   j["rays_shadow"] = r.result.rays.shadow;
   j["segment_queries"] = r.result.rays.segments;
+  j["shaft_queries"] = r.result.rays.shafts;
   j["peak_rss_bytes"] = peak_rss_bytes();
   j["rays_escaped"] = r.result.rays.escaped;
   j["area_fallbacks"] = r.result.rays.area_fallbacks;

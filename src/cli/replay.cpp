@@ -44,9 +44,11 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
   }
   if (!is_finite(radiance))
     out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
-  return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries\n",
-                           text(radiance), visibility.counts().closest,
-                           visibility.counts().shadow, visibility.counts().segments);
+  const RayCounts& asked = visibility.counts();
+  return out + fmt::format("radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries, "
+                           "{} shaft queries\n",
+                           text(radiance), asked.closest, asked.shadow, asked.segments,
+                           asked.shafts);
 }
 
 }  // namespace raytracing

@@ -54,6 +54,9 @@ struct LobeShape {
   }
 };
 
+/// The lobe of a diffuse surface at this cosine.
+inline Lobe diffuse_lobe(float cos_i) { return {cos_i * kInvPi, cos_i * kInvPi, 0}; }
+
 /// The lobe of the unit shading normal n for the unit directions wo and wi, all in world space: the
 /// formulas of ggx.h without its frame. Only for directions above the horizon of n.
 inline Lobe lobe(float is_ggx, float alpha2, float is_schlick, const Vec3& n, const Vec3& wo,

@@ -19,10 +19,10 @@ DiscreteDistribution choice_by(std::vector<float> powers) {
 
 }  // namespace
 
-Scene::Scene(SceneDescription description, int threads, bool with_segments)
-    : Scene(Builder(std::move(description)), threads, with_segments) {}
+Scene::Scene(SceneDescription description, int threads, bool with_occluders)
+    : Scene(Builder(std::move(description)), threads, with_occluders) {}
 
-Scene::Scene(Builder&& b, int threads, bool with_segments)
+Scene::Scene(Builder&& b, int threads, bool with_occluders)
     : materials_(std::move(b.materials)),
       sphere_materials_(std::move(b.sphere_materials)),
       triangles_(std::move(b.records)),
@@ -37,10 +37,10 @@ Scene::Scene(Builder&& b, int threads, bool with_segments)
     if (!faces_anything(light)) ++notes_.averted_lights;
   }
   light_choice_ = choice_by(std::move(powers));
-  if (!with_segments) return;
+  if (!with_occluders) return;
   std::vector<std::uint32_t> light_of_triangle;
   for (const TriangleRecord& t : triangles_) light_of_triangle.push_back(t.light);
-  segments_ = SegmentVisibility(geometry_.positions(), geometry_.triangles(), light_of_triangle,
+  occluders_ = OccluderTree(geometry_.positions(), geometry_.triangles(), light_of_triangle,
                                 geometry_.spheres(), threads);
 }
 

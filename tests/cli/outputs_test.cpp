@@ -42,7 +42,8 @@ TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
       "scene",          "light_sampling", "sampler",        "spp",           "width",
       "height",         "max_depth",      "seed",           "threads",       "load_seconds",
       "build_seconds",  "render_seconds", "cpu_seconds",    "paths",         "paths_per_second",
-      "rays_closest",   "rays_shadow",    "segment_queries", "peak_rss_bytes",
+      "rays_closest",   "rays_shadow",    "segment_queries", "shaft_queries",
+      "peak_rss_bytes",
       "non_finite_samples", "mean_rgb", "replicates", "variance_kind"};
   for (const std::string& key : contract) EXPECT_TRUE(s.contains(key)) << key;
   EXPECT_EQ(s["scene"], kCornell);

@@ -1,7 +1,7 @@
 // Nothing shines through the edges that triangles share; and the rims of what a query may meet.
 #include <gtest/gtest.h>
 
-#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/geometry/occluder_tree.h"
 #include "raytracing/math/frame.h"
 #include "support/segment_reference.h"
 
@@ -15,12 +15,12 @@ std::array<Vec3, 3> random_axes(TestRandom& random) {
   return {frame.x, frame.y, cross(frame.x, frame.y)};
 }
 
-IntervalSet visible(const SegmentVisibility& tree, const SegmentQuery& q) {
+IntervalSet visible(const OccluderTree& tree, const SegmentQuery& q) {
   return tree.visible_part(q.p, q.a, q.d, {0, 1});
 }
 
 // A closed convex surface hides one interval: what is left are at most the two pieces beside it.
-TEST(SegmentVisibility, ConvexSurfacesHideOneIntervalWithoutSlits) {
+TEST(SegmentQuery, ConvexSurfacesHideOneIntervalWithoutSlits) {
   TestRandom random(1);
   int whole = 0, partial = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -28,7 +28,7 @@ TEST(SegmentVisibility, ConvexSurfacesHideOneIntervalWithoutSlits) {
     const float scale = std::exp2(random.between(-12, 12));
     const Sphere ball{scale * random.in_cube(3), scale * random.between(0.2f, 1)};
     add_tessellated_sphere(scene, ball, round % 5, random_axes(random));
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     for (int i = 0; i < 10; ++i) {
       const Vec3 to = random.direction();
       const Vec3 p = ball.center - random.between(1.05f, 5.0f) * ball.radius * to;
@@ -59,7 +59,7 @@ TEST(SegmentVisibility, ConvexSurfacesHideOneIntervalWithoutSlits) {
 }
 
 // A flat net of shared corners between the point and the segment, larger than their hull.
-TEST(SegmentVisibility, FlatNetsHideEverything) {
+TEST(SegmentQuery, FlatNetsHideEverything) {
   TestRandom random(2);
   for (int round = 0; round < 3000; ++round) {
     const auto [x, y, z] = random_axes(random);
@@ -77,7 +77,7 @@ TEST(SegmentVisibility, FlatNetsHideEverything) {
         scene.triangles.push_back({{k, k + 1, k + n + 2}});
         scene.triangles.push_back({{k, k + n + 2, k + n + 1}});
       }
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     const auto near_axis = [&](float height) {
       return middle + height * z + random.between(-1, 1) * x + random.between(-1, 1) * y;
     };
@@ -106,17 +106,17 @@ void expect_all(const IntervalSet& set) {
   EXPECT_EQ(set.hull().end, 1.0f);
 }
 
-TEST(SegmentVisibility, EmptyScenesHideNothing) {
-  expect_all(visible(SegmentVisibility(), kQuery));
+TEST(SegmentQuery, EmptyScenesHideNothing) {
+  expect_all(visible(OccluderTree(), kQuery));
   expect_all(visible(SegmentScene().build(), kQuery));
-  const IntervalSet part = SegmentVisibility().visible_part(kQuery.p, kQuery.a, kQuery.d,
+  const IntervalSet part = OccluderTree().visible_part(kQuery.p, kQuery.a, kQuery.d,
                                                             {0.25f, 0.5f});
   EXPECT_EQ(part.hull().begin, 0.25f);
   EXPECT_EQ(part.hull().end, 0.5f);
 }
 
 // A lone triangle hides the middle half; the tree is a single leaf.
-TEST(SegmentVisibility, LoneTriangle) {
+TEST(SegmentQuery, LoneTriangle) {
   SegmentScene scene;
   scene.add(Vec3(-0.25f, 1, -1), Vec3(-0.25f, 1, 1), Vec3(0.75f, 1, 0));
   const IntervalSet set = visible(scene.build(), kQuery);
@@ -126,7 +126,7 @@ TEST(SegmentVisibility, LoneTriangle) {
   EXPECT_EQ(set.hull().end, 0.25f);
 }
 
-TEST(SegmentVisibility, WhatLiesInThePlaneHidesNothing) {
+TEST(SegmentQuery, WhatLiesInThePlaneHidesNothing) {
   SegmentScene scene;
   scene.add(Vec3(-0.5f, 1, 0), Vec3(0.5f, 1, 0), Vec3(0, 1.5f, 0));
   expect_all(visible(scene.build(), kQuery));
@@ -134,7 +134,7 @@ TEST(SegmentVisibility, WhatLiesInThePlaneHidesNothing) {
 
 // A face that touches the plane by an edge hides on one side of it only: of two such faces exactly
 // one hides, so that nothing is counted twice or not at all.
-TEST(SegmentVisibility, TouchingThePlaneByACornerOrAnEdge) {
+TEST(SegmentQuery, TouchingThePlaneByACornerOrAnEdge) {
   for (float side : {1.0f, -1.0f}) {
     SegmentScene corner;
     corner.add(Vec3(0, 1, 0), Vec3(-0.5f, 1, side), Vec3(0.5f, 1, side));
@@ -155,7 +155,7 @@ TEST(SegmentVisibility, TouchingThePlaneByACornerOrAnEdge) {
   EXPECT_EQ(set.intervals()[1].begin, 0.75f);
 }
 
-TEST(SegmentVisibility, DegenerateTrianglesHideNothing) {
+TEST(SegmentQuery, DegenerateTrianglesHideNothing) {
   SegmentScene scene;
   scene.add(Vec3(0, 1, 0), Vec3(0, 1, 0), Vec3(0, 1, 0));
   scene.add(Vec3(0, 1, -1), Vec3(0, 1, -1), Vec3(0.3f, 1, 1));
@@ -176,11 +176,11 @@ TEST(SegmentVisibility, DegenerateTrianglesHideNothing) {
   }
 }
 
-TEST(SegmentVisibility, SegmentsWithoutAnAngleAreVisible) {
+TEST(SegmentQuery, SegmentsWithoutAnAngleAreVisible) {
   SegmentScene scene;
   add_tessellated_sphere(scene, {Vec3(0, 1, 0), 0.5f}, 2,
                          {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
-  const SegmentVisibility tree = scene.build();
+  const OccluderTree tree = scene.build();
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0.0f)}));  // of no length
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0, 1, 0)}));  // in line with the point
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 0, 0), Vec3(0, 1, 0)}));
@@ -188,7 +188,7 @@ TEST(SegmentVisibility, SegmentsWithoutAnAngleAreVisible) {
 
 // A point beside a surface it was computed on, offset like a spawned ray, sees all that lies on its
 // side and nothing behind.
-TEST(SegmentVisibility, ContactPointsDoNotHideThemselves) {
+TEST(SegmentQuery, ContactPointsDoNotHideThemselves) {
   TestRandom random(4);
   for (int round = 0; round < 4000; ++round) {
     const float scale = std::exp2(random.between(-10, 14));
@@ -197,7 +197,7 @@ TEST(SegmentVisibility, ContactPointsDoNotHideThemselves) {
     const Vec3 b = at + scale * random.in_cube(1), c = at + scale * random.in_cube(1);
     scene.add(at, b, c);
     const Vec3 n = normalize(cross(b - at, c - at));
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     const Vec2 w = 0.45f * random.unit2() + 0.02f;
     const Vec3 on = at + w.x * (b - at) + w.y * (c - at);
     const Vec3 p = offset_point(on, n, position_error(max_component(absolute(at)) + 2 * scale));

@@ -51,7 +51,7 @@ Near random_near(TestRandom& random, float h) {
 // The mean error is 2e-8 for all h. Where edges meet the plane was first computed in the plane's
 // coordinates, with a mean error of 3.5e-9 / h; then in space, but without regard to which corner is
 // nearer, with a mean of 8e-7 and a worst error of 1e-3 for h = 1e-5.
-TEST(SegmentVisibility, KeepsItsDigitsHoweverNearTheSegmentIs) {
+TEST(SegmentQuery, KeepsItsDigitsHoweverNearTheSegmentIs) {
   for (const float h : {1e-1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f}) {
     TestRandom random(1);
     double sum = 0, worst = 0;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/geometry/occluder_tree.h"
 #include "support/segment_reference.h"
 
 namespace raytracing {
@@ -11,7 +11,7 @@ namespace {
 constexpr double kAllowed = 32;
 
 double error_of(const SegmentScene& scene, const SegmentQuery& q) {
-  const SegmentVisibility tree = scene.build();
+  const OccluderTree tree = scene.build();
   return worst_error(scene, q, tree.visible_part(q.p, q.a, q.d, {0, 1}), 400);
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/geometry/occluder_tree.h"
 #include "support/statistics.h"
 
 namespace raytracing {
@@ -33,7 +33,7 @@ struct SegmentScene {
     positions.insert(positions.end(), {a, b, c});
     triangles.push_back({{n, n + 1, n + 2}});
   }
-  SegmentVisibility build() const {
+  OccluderTree build() const {
     const std::vector<std::uint32_t> none(triangles.size(), kNone);
     return {positions, triangles, none, spheres, 1};
   }

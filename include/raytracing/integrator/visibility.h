@@ -13,6 +13,7 @@ struct RayCounts {
   std::uint64_t closest = 0;   ///< closest-hit rays
   std::uint64_t shadow = 0;    ///< occlusion tests
   std::uint64_t segments = 0;  ///< exact visibility queries of a segment
+  std::uint64_t shafts = 0;    ///< queries which of many points see one
   std::uint64_t escaped = 0;   ///< closest-hit rays from a surface that met nothing
   /// Light samples taken uniform in area by a method that is uniform in solid angle, where the
   /// solid angle is too small or too large for float arithmetic.
@@ -22,6 +23,7 @@ struct RayCounts {
     closest += other.closest;
     shadow += other.shadow;
     segments += other.segments;
+    shafts += other.shafts;
     escaped += other.escaped;
     area_fallbacks += other.area_fallbacks;
     return *this;
@@ -54,12 +56,19 @@ class Visibility {
     return scene_.geometry().occluded8(from, x, y, z, wanted);
   }
 
+  /// OccluderTree::keep_visible of targets that are ray origins, from the ray origin `from`.
+  bool keep_visible(const Vec3& from, const OccluderTree::Targets& targets, std::int32_t* wanted,
+                    int limit) {
+    ++counts_.shafts;
+    return scene_.occluders().keep_visible(from, targets, wanted, limit);
+  }
+
   /// The parts of the chord, within `range`, that the vertex sees; parameters of the chord.
   IntervalSet visible_part(const Vertex& v, const Chord& chord, const Interval& range,
                            const AreaLight& light) {
     ++counts_.segments;
     const Vec3 off_light = std::max(light.error, v.error) * light.normal;
-    return scene_.segments().visible_part(v.ray_origin(), chord.begin + off_light,
+    return scene_.occluders().visible_part(v.ray_origin(), chord.begin + off_light,
                                           chord.length * chord.direction, range,
                                           scene_.index_of(light));
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "raytracing/geometry/embree_scene.h"
-#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/geometry/occluder_tree.h"
 #include "raytracing/lights/area_light.h"
 #include "raytracing/materials/material.h"
 #include "raytracing/math/frame.h"
@@ -44,12 +44,12 @@ inline constexpr double kEvenLightShare = 0.1;
 /// Everything that rendering reads. Immutable after construction.
 class Scene {
  public:
-  /// `threads` >= 1 build the accelerators. Without `with_segments`, segments() stays empty and
+  /// `threads` >= 1 build the accelerators. Without `with_occluders`, occluders() stays empty and
   /// takes no memory: for methods that do not ask it.
-  Scene(SceneDescription description, int threads, bool with_segments = true);
+  Scene(SceneDescription description, int threads, bool with_occluders = true);
 
   const EmbreeScene& geometry() const { return geometry_; }
-  const SegmentVisibility& segments() const { return segments_; }
+  const OccluderTree& occluders() const { return occluders_; }
   const CameraDescription& camera() const { return camera_; }
   std::span<const AreaLight> lights() const { return lights_; }
   /// Chooses a light by its power or, with the probability kEvenLightShare, evenly. There must be
@@ -79,7 +79,7 @@ class Scene {
   struct Builder;
   // Whether any surface, or the camera, lies on the emitting side of the light's plane.
   bool faces_anything(const AreaLight& light) const;
-  Scene(Builder&& builder, int threads, bool with_segments);
+  Scene(Builder&& builder, int threads, bool with_occluders);
 
   std::vector<Material> materials_;  // one per surface
   std::vector<std::uint32_t> sphere_materials_;
@@ -90,7 +90,7 @@ class Scene {
   CameraDescription camera_;
   BuildNotes notes_;
   EmbreeScene geometry_;
-  SegmentVisibility segments_;
+  OccluderTree occluders_;
 };
 
 // Here for the compiler to make it in place: a copy of a vertex costs more than the vertex.

@@ -1,4 +1,4 @@
-#include "segment_tree_builder.h"
+#include "occluder_tree_builder.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace raytracing {
 
 // Embree hands these on as void*: each begins with what tells the two kinds apart.
-struct SegmentVisibility::TreeBuilder::Branch {
+struct OccluderTree::TreeBuilder::Branch {
   bool leaf;
   unsigned count;
 
@@ -23,7 +23,7 @@ struct SegmentVisibility::TreeBuilder::Branch {
   }
 };
 
-struct SegmentVisibility::TreeBuilder::Inner : Branch {
+struct OccluderTree::TreeBuilder::Inner : Branch {
   Branch* children[kWidth];
   RTCBounds bounds[kWidth];  // of the children
 
@@ -39,7 +39,7 @@ struct SegmentVisibility::TreeBuilder::Inner : Branch {
   }
 };
 
-struct SegmentVisibility::TreeBuilder::Leaf : Branch {
+struct OccluderTree::TreeBuilder::Leaf : Branch {
   std::uint32_t triangles[kWidth];
 
   static void* make_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
@@ -60,13 +60,23 @@ RTCBuildPrimitive to_primitive(const Vec3& a, const Vec3& b, const Vec3& c, unsi
 
 }  // namespace
 
-SegmentVisibility::TreeBuilder::TreeBuilder(SegmentVisibility& target,
+OccluderTree::OccluderTree(std::span<const Vec3> positions,
+                           std::span<const EmbreeScene::Triangle> triangles,
+                           std::span<const std::uint32_t> group, std::span<const Sphere> spheres,
+                           int threads)
+    : built_(true), spheres_(spheres.begin(), spheres.end()) {
+  for (const Vec3& v : positions)
+    max_coordinate_ = std::max(max_coordinate_, max_component(absolute(v)));
+  if (!triangles.empty()) TreeBuilder(*this, positions, triangles, group).build(threads);
+}
+
+OccluderTree::TreeBuilder::TreeBuilder(OccluderTree& target,
                                             std::span<const Vec3> positions,
                                             std::span<const EmbreeScene::Triangle> triangles,
                                             std::span<const std::uint32_t> group)
     : target_(target), positions_(positions), triangles_(triangles), group_(group) {}
 
-const SegmentVisibility::TreeBuilder::Branch& SegmentVisibility::TreeBuilder::make_branches(
+const OccluderTree::TreeBuilder::Branch& OccluderTree::TreeBuilder::make_branches(
     RTCBVH bvh) const {
   std::vector<RTCBuildPrimitive> primitives;
   primitives.reserve(triangles_.size());
@@ -92,11 +102,11 @@ const SegmentVisibility::TreeBuilder::Branch& SegmentVisibility::TreeBuilder::ma
   arguments.setNodeBounds = Inner::set_bounds;
   arguments.createLeaf = Leaf::make_leaf;
   const auto* root = static_cast<const Branch*>(rtcBuildBVH(&arguments));
-  if (root == nullptr) throw std::runtime_error("Embree: the segment tree could not be built");
+  if (root == nullptr) throw std::runtime_error("Embree: the occluder tree could not be built");
   return *root;
 }
 
-void SegmentVisibility::TreeBuilder::build(int threads) {
+void OccluderTree::TreeBuilder::build(int threads) {
   const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(
       rtcNewDevice(("threads=" + std::to_string(threads)).c_str()), rtcReleaseDevice);
   const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()),
@@ -119,7 +129,7 @@ void SegmentVisibility::TreeBuilder::build(int threads) {
   }
 }
 
-void SegmentVisibility::TreeBuilder::count(const Branch& branch, Counts& counts) {
+void OccluderTree::TreeBuilder::count(const Branch& branch, Counts& counts) {
   ++(branch.leaf ? counts.leaves : counts.inner);
   if (branch.leaf) return;
   for (unsigned i = 0; i < branch.count; ++i)
@@ -127,7 +137,7 @@ void SegmentVisibility::TreeBuilder::count(const Branch& branch, Counts& counts)
 }
 
 // Depth first, a node before its children: neighbours in space are neighbours in memory.
-std::uint32_t SegmentVisibility::TreeBuilder::lay_out(const Branch& branch) {
+std::uint32_t OccluderTree::TreeBuilder::lay_out(const Branch& branch) {
   if (branch.leaf) return kLeaf | add_block(static_cast<const Leaf&>(branch));
   const auto& inner = static_cast<const Inner&>(branch);
   const auto index = static_cast<std::uint32_t>(target_.nodes_.size());
@@ -148,12 +158,12 @@ std::uint32_t SegmentVisibility::TreeBuilder::lay_out(const Branch& branch) {
   return index;
 }
 
-std::uint32_t SegmentVisibility::TreeBuilder::add_block(const Leaf& leaf) {
+std::uint32_t OccluderTree::TreeBuilder::add_block(const Leaf& leaf) {
   Block block{};
   for (unsigned i = 0; i < kWidth; ++i) {
     const std::uint32_t triangle = leaf.triangles[i < leaf.count ? i : 0];
     for (int corner = 0; corner < 3; ++corner) {
-      const Vec3& v = positions_[triangles_[triangle].corners[corner]];
+      const Vec3& v = positions_[triangles_[triangle].corners[i < leaf.count ? corner : 0]];
       for (int axis = 0; axis < 3; ++axis) block.corners[corner][axis][i] = v[axis];
     }
     block.group[i] = group_[triangle];

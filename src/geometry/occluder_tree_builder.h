@@ -3,14 +3,14 @@
 #include <memory>
 
 #include "raytracing/geometry/embree_api.h"
-#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/geometry/occluder_tree.h"
 
 namespace raytracing {
 
-/// Builds the tree of a SegmentVisibility by rtcBuildBVH and lays it out in arrays.
-class SegmentVisibility::TreeBuilder {
+/// Builds the tree of a OccluderTree by rtcBuildBVH and lays it out in arrays.
+class OccluderTree::TreeBuilder {
  public:
-  TreeBuilder(SegmentVisibility& target, std::span<const Vec3> positions,
+  TreeBuilder(OccluderTree& target, std::span<const Vec3> positions,
               std::span<const EmbreeScene::Triangle> triangles,
               std::span<const std::uint32_t> group);
 
@@ -32,7 +32,7 @@ class SegmentVisibility::TreeBuilder {
   std::uint32_t lay_out(const Branch& branch);
   std::uint32_t add_block(const Leaf& leaf);
 
-  SegmentVisibility& target_;
+  OccluderTree& target_;
   std::span<const Vec3> positions_;
   std::span<const EmbreeScene::Triangle> triangles_;
   std::span<const std::uint32_t> group_;

@@ -1,4 +1,4 @@
-#include "raytracing/geometry/segment_visibility.h"
+#include "raytracing/geometry/occluder_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -34,16 +34,16 @@ SegmentQuery random_query(TestRandom& random, const Vec3& offset, float scale) {
   return {offset + scale * p, offset + scale * a, scale * (b - a)};
 }
 
-double error_of(const SegmentScene& scene, const SegmentVisibility& tree, const SegmentQuery& q) {
+double error_of(const SegmentScene& scene, const OccluderTree& tree, const SegmentQuery& q) {
   return worst_error(scene, q, tree.visible_part(q.p, q.a, q.d, {0, 1}));
 }
 
-TEST(SegmentVisibility, EqualsALoopOverRandomTriangles) {
+TEST(SegmentQuery, EqualsALoopOverRandomTriangles) {
   TestRandom random(1);
   double worst = 0;
   for (int round = 0; round < 4000; ++round) {
     const SegmentScene scene = random_scene(random, 1 + random.bits() % 300, Vec3(0.0f), 1);
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     for (int i = 0; i < 4; ++i)
       worst = std::max(worst, error_of(scene, tree, random_query(random, Vec3(0.0f), 1)));
     ASSERT_LE(worst, kAllowed) << round;
@@ -51,7 +51,7 @@ TEST(SegmentVisibility, EqualsALoopOverRandomTriangles) {
   RecordProperty("worst_in_spacings", std::to_string(worst));
 }
 
-TEST(SegmentVisibility, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
+TEST(SegmentQuery, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
   TestRandom random(2);
   for (const auto& [scale, offset] :
        {std::pair{1e-4f, 0.0f}, {1e-2f, 0.0f}, {1e2f, 0.0f}, {1e5f, 0.0f}, {1.0f, 1e4f},
@@ -60,7 +60,7 @@ TEST(SegmentVisibility, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
     for (int round = 0; round < 200; ++round) {
       const Vec3 at = offset * random.direction();
       const SegmentScene scene = random_scene(random, 1 + random.bits() % 100, at, scale);
-      const SegmentVisibility tree = scene.build();
+      const OccluderTree tree = scene.build();
       for (int i = 0; i < 5; ++i)
         worst = std::max(worst, error_of(scene, tree, random_query(random, at, scale)));
       ASSERT_LE(worst, kAllowed) << scale << " " << offset;
@@ -69,7 +69,7 @@ TEST(SegmentVisibility, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
 }
 
 // The plane of a short segment is known less well the farther from the segment.
-TEST(SegmentVisibility, EqualsALoopForFarShortSegments) {
+TEST(SegmentQuery, EqualsALoopForFarShortSegments) {
   TestRandom random(3);
   for (float ratio : {10.0f, 100.0f, 1e3f, 1e4f}) {
     double worst = 0;
@@ -79,7 +79,7 @@ TEST(SegmentVisibility, EqualsALoopForFarShortSegments) {
       for (int i = 0; i < 30; ++i)  // some of the size of the segment, close to it
         scene.add(at + 4 / ratio * random.in_cube(1), at + 4 / ratio * random.in_cube(1),
                   at + 4 / ratio * random.in_cube(1));
-      const SegmentVisibility tree = scene.build();
+      const OccluderTree tree = scene.build();
       for (int i = 0; i < 5; ++i) {
         const Vec3 p = at + 2.0f * random.direction();
         worst = std::max(worst, error_of(scene, tree, {p, at, along}));
@@ -91,14 +91,14 @@ TEST(SegmentVisibility, EqualsALoopForFarShortSegments) {
 }
 
 // Also a scene that is one sphere of triangles: all edges shared.
-TEST(SegmentVisibility, EqualsALoopOverTessellatedSpheres) {
+TEST(SegmentQuery, EqualsALoopOverTessellatedSpheres) {
   TestRandom random(4);
   for (int round = 0; round < 400; ++round) {
     SegmentScene scene;
     for (int i = 0; i <= round % 3; ++i)
       add_tessellated_sphere(scene, {random.in_cube(1), random.between(0.1f, 0.8f)}, round % 4,
                              random_axes(random));
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     for (int i = 0; i < 8; ++i)
       ASSERT_LE(error_of(scene, tree, random_query(random, Vec3(0.0f), 1)), kAllowed) << round;
   }
@@ -106,7 +106,7 @@ TEST(SegmentVisibility, EqualsALoopOverTessellatedSpheres) {
 
 // How far rays that disagree with the set are from any edge.
 double worst_ray(const SegmentScene& scene, const EmbreeScene& embree,
-                 const SegmentVisibility& tree, const SegmentQuery& q, int rays, int& hidden) {
+                 const OccluderTree& tree, const SegmentQuery& q, int rays, int& hidden) {
   const IntervalSet set = tree.visible_part(q.p, q.a, q.d, {0, 1});
   double worst = 0;
   for (int i = 0; i < rays; ++i) {
@@ -118,7 +118,7 @@ double worst_ray(const SegmentScene& scene, const EmbreeScene& embree,
   return worst / scene.spacing(q);
 }
 
-TEST(SegmentVisibility, EqualsTenThousandRays) {
+TEST(SegmentQuery, EqualsTenThousandRays) {
   TestRandom random(5);
   int hidden = 0;
   for (int round = 0; round < 40; ++round) {
@@ -126,7 +126,7 @@ TEST(SegmentVisibility, EqualsTenThousandRays) {
     if (round % 2)
       add_tessellated_sphere(scene, {random.in_cube(1), 0.5f}, 3, random_axes(random));
     const EmbreeScene embree = scene.embree();
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     for (int i = 0; i < 4; ++i) {
       const SegmentQuery q = random_query(random, Vec3(0.0f), 1);
       ASSERT_LE(worst_ray(scene, embree, tree, q, 10000, hidden), 32) << round;
@@ -137,7 +137,7 @@ TEST(SegmentVisibility, EqualsTenThousandRays) {
 }
 
 // More than a hundred thousand triangles, so a tree of several levels.
-TEST(SegmentVisibility, EqualsRaysInABigScene) {
+TEST(SegmentQuery, EqualsRaysInABigScene) {
   TestRandom random(6);
   SegmentScene scene;
   for (int i = 0; i < 4; ++i)
@@ -148,7 +148,7 @@ TEST(SegmentVisibility, EqualsRaysInABigScene) {
   }
   ASSERT_GT(scene.triangles.size(), 100000u);
   const EmbreeScene embree = scene.embree();
-  const SegmentVisibility tree = scene.build();
+  const OccluderTree tree = scene.build();
   EXPECT_GT(tree.node_count(), 1000u);
   int hidden = 0;
   for (int i = 0; i < 60; ++i) {
@@ -160,11 +160,11 @@ TEST(SegmentVisibility, EqualsRaysInABigScene) {
 }
 
 // The set of a narrower range is the set of all within that range.
-TEST(SegmentVisibility, KeepsToTheRange) {
+TEST(SegmentQuery, KeepsToTheRange) {
   TestRandom random(7);
   for (int round = 0; round < 1000; ++round) {
     const SegmentScene scene = random_scene(random, 1 + random.bits() % 60, Vec3(0.0f), 1);
-    const SegmentVisibility tree = scene.build();
+    const OccluderTree tree = scene.build();
     const SegmentQuery q = random_query(random, Vec3(0.0f), 1);
     const auto [low, high] = std::minmax({random.unit(), random.unit()});
     IntervalSet whole = tree.visible_part(q.p, q.a, q.d, {0, 1});
@@ -180,7 +180,7 @@ TEST(SegmentVisibility, KeepsToTheRange) {
   }
 }
 
-TEST(SegmentVisibility, LeavesOutTheSkippedGroup) {
+TEST(SegmentQuery, LeavesOutTheSkippedGroup) {
   TestRandom random(8);
   for (int round = 0; round < 500; ++round) {
     const SegmentScene scene = random_scene(random, 1 + random.bits() % 100, Vec3(0.0f), 1);
@@ -190,7 +190,7 @@ TEST(SegmentVisibility, LeavesOutTheSkippedGroup) {
       const auto group = static_cast<std::uint32_t>(random.bits() % 4);
       groups.push_back(group == 3 ? kNone : group);
     }
-    const SegmentVisibility tree(scene.positions, scene.triangles, groups, {}, 1);
+    const OccluderTree tree(scene.positions, scene.triangles, groups, {}, 1);
     for (std::uint32_t skipped : {0u, 1u, 2u, 3u, kNone}) {
       SegmentScene rest;
       rest.positions = scene.positions;

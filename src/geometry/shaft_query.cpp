@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "float8.h"
+#include "raytracing/geometry/occluder_tree.h"
+
+namespace raytracing {
+namespace {
+
+// Bounds are compared with this relative tolerance: a few roundings more than they can be off, and
+// far less than what would let much more through.
+constexpr float kTolerance = 0x1p-20f;
+constexpr float kRounding = 0x1p-22f;
+
+Points operator+(const Points& a, const Points& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Points operator-(const Points& a, const Points& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Points operator-(const Points& a) { return {-a.x, -a.y, -a.z}; }
+Points absolute(const Points& a) { return {simd::abs(a.x), simd::abs(a.y), simd::abs(a.z)}; }
+Float8 dot(const Points& a, const Points& b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
+Points cross(const Points& a, const Points& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Points all(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+// Eight triangles, from p. A target d lies behind one that does not hold p in its plane where
+// plane.d > depth and edges[i].d <= 0 for all three edges.
+struct Planes {
+  Points edges[3];
+  Points plane;
+  Float8 depth;  // > 0; 0 = holds p in its plane, or is degenerate
+
+  explicit Planes(const Points (&v)[3]) {
+    // The two triangles of an edge get exactly opposite normals, also by fused operations: nothing
+    // slips through between them (Davidovic et al. 2012).
+    for (int i = 0; i < 3; ++i) {
+      const Points &from = v[i], &to = v[(i + 1) % 3];
+      edges[i] = cross(to - from, to + from);
+    }
+    plane = cross(v[1] - v[0], v[2] - v[0]);
+    depth = dot(plane, v[0]);
+    const Mask8 turned = depth < 0;
+    depth = simd::abs(depth);
+    for (Points* normal : {&edges[0], &edges[1], &edges[2], &plane})
+      *normal = select(turned, -*normal, *normal);
+  }
+};
+
+}  // namespace
+
+struct OccluderTree::Shaft {
+  Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted, int most);
+
+  // Marks what lies behind one triangle.
+  void hide(const Planes& planes, int i);
+  bool anything_wanted() const {
+    std::int32_t any = 0;
+    for (int k = 0; k < count; ++k) any |= still[k];
+    return any != 0;
+  }
+  Vec3 target(int k) const { return {x[k], y[k], z[k]}; }
+
+  Vec3 p;
+  int count;
+  std::int32_t* still;  // wanted, and not yet hidden
+  int limit;            // of further triangles and spheres
+  Vec3 centre, half;    // bounds of the targets, from p
+  // A point t of the shaft's length away from p has each coordinate within [t lower, t upper].
+  // That of a box is at these multiples of its bounds.
+  Vec3 inverse_lower, inverse_upper;
+  alignas(64) float x[kMaxTargets], y[kMaxTargets], z[kMaxTargets];  // from p
+};
+
+OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted,
+                           int most)
+    : p(from), count(targets.count), still(wanted), limit(most) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < count; ++k) {
+    x[k] = targets.x[k] - p.x;
+    y[k] = targets.y[k] - p.y;
+    z[k] = targets.z[k] - p.z;
+  }
+  alignas(64) float far[kMaxTargets];  // moves what is not wanted out of the bounds
+  for (int k = 0; k < count; ++k) far[k] = still[k] != 0 ? 0.0f : kInfinity;
+  const float* const coordinates[3] = {x, y, z};
+  for (int axis = 0; axis < 3; ++axis) {
+    Float8 lowest = kInfinity, highest = -kInfinity;
+    for (int k = 0; k < count; k += kLanes) {
+      lowest = simd::min(lowest, load(coordinates[axis] + k) + load(far + k));
+      highest = simd::max(highest, load(coordinates[axis] + k) - load(far + k));
+    }
+    const float lower = simd::hmin(lowest), upper = simd::hmax(highest);
+    centre[axis] = 0.5f * (lower + upper);
+    half[axis] = 0.5f * (upper - lower);
+    // No division by 0: the smallest number does as well.
+    constexpr float kLeast = std::numeric_limits<float>::min();
+    inverse_lower[axis] = 1 / (std::abs(lower) < kLeast ? -kLeast : lower);
+    inverse_upper[axis] = 1 / (std::abs(upper) < kLeast ? kLeast : upper);
+  }
+}
+
+void OccluderTree::Shaft::hide(const Planes& planes, int i) {
+  const auto normal = [i](const Points& n) { return Vec3(n.x[i], n.y[i], n.z[i]); };
+  const Vec3 a = normal(planes.edges[0]), b = normal(planes.edges[1]), c = normal(planes.edges[2]);
+  const Vec3 n = normal(planes.plane);
+  const float depth = planes.depth[i];
+  // How far rounding may put a ray off the side of an edge that it is on. With less, rays aimed at a
+  // corner that many triangles share may pass them all.
+  const Vec3 size = absolute(centre) + half;
+  const auto rounding = [&](const Vec3& edge) { return kRounding * dot(absolute(edge), size); };
+  const float off_a = rounding(a), off_b = rounding(b), off_c = rounding(c);
+  for (int k = 0; k < count; ++k) {
+    const auto along = [&](const Vec3& v) { return v.x * x[k] + (v.y * y[k] + v.z * z[k]); };
+    const bool inside =
+        std::max(along(a) - off_a, std::max(along(b) - off_b, along(c) - off_c)) <= 0;
+    still[k] &= !(inside & (along(n) > depth));
+  }
+}
+
+unsigned OccluderTree::children_met(const Node& node, const Shaft& shaft) {
+  // The parts of the shaft's length at which its coordinate may be that of the box.
+  Float8 first = 0.0f, last = 1.0f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Float8 lower = load(node.bounds[0][axis]) - shaft.p[axis];
+    const Float8 upper = load(node.bounds[1][axis]) - shaft.p[axis];
+    const Float8 reaches = lower * shaft.inverse_upper[axis];  // t upper(shaft) = lower(box)
+    const Float8 leaves = upper * shaft.inverse_lower[axis];   // t lower(shaft) = upper(box)
+    if (shaft.inverse_upper[axis] > 0)
+      first = simd::max(first, reaches);
+    else
+      last = simd::min(last, reaches);
+    if (shaft.inverse_lower[axis] > 0)
+      last = simd::min(last, leaves);
+    else
+      first = simd::max(first, leaves);
+  }
+  const Mask8 met = first * (1 - kTolerance) <= last * (1 + kTolerance);
+  return to_bits(met) & ((1u << node.count) - 1);
+}
+
+bool OccluderTree::hide_by_block(const Block& block, Shaft& shaft) {
+  Points corners[3];
+  for (int i = 0; i < 3; ++i)
+    corners[i] = {load(block.corners[i][0]) - shaft.p.x, load(block.corners[i][1]) - shaft.p.y,
+                  load(block.corners[i][2]) - shaft.p.z};
+  const Planes planes(corners);
+  const Points centre = all(shaft.centre), half = all(shaft.half);
+  const Points size = all(absolute(shaft.centre) + shaft.half);
+  // No target may lie behind where all are on the wrong side of one plane.
+  const auto least = [&](const Points& n) {
+    return dot(n, centre) - dot(absolute(n), half) - kTolerance * dot(absolute(n), size);
+  };
+  Mask8 met = planes.depth > 0 && -least(-planes.plane) > planes.depth * (1 - kTolerance);
+  for (const Points& edge : planes.edges) met = met && least(edge) <= 0;
+  for (unsigned bits = to_bits(met); bits != 0; bits &= bits - 1) {
+    if (shaft.limit-- == 0) return false;
+    shaft.hide(planes, std::countr_zero(bits));
+  }
+  return true;
+}
+
+// A sphere may be met only where its centre is not farther from the shaft's axis than both radii.
+bool OccluderTree::hide_by_spheres(Shaft& shaft) const {
+  const float radius = length(shaft.half);
+  for (const Sphere& sphere : spheres_) {
+    const Vec3 centre = sphere.center - shaft.p;
+    const float t = dot(centre, shaft.centre) / dot(shaft.centre, shaft.centre);
+    const Vec3 nearest = t > 0 ? std::min(t, 1.0f) * shaft.centre : Vec3(0.0f);
+    const float reach = (radius + sphere.radius) * (1 + kTolerance) + kTolerance * length(centre);
+    if (length(centre - nearest) > reach) continue;
+    if (shaft.limit-- == 0) return false;
+    for (int k = 0; k < shaft.count; ++k) {
+      const auto [t0, t1] = line_crossings(sphere, Ray{shaft.p, shaft.target(k)});
+      shaft.still[k] &= !(((t0 > 0) & (t0 < 1)) | ((t1 > 0) & (t1 < 1)));
+    }
+  }
+  return true;
+}
+
+bool OccluderTree::keep_visible(const Vec3& p, const Targets& targets, std::int32_t* wanted,
+                                int limit) const {
+  if (!built_) return false;
+  Shaft shaft(p, targets, wanted, limit);
+  if (!shaft.anything_wanted()) return true;
+  if (!hide_by_spheres(shaft)) return false;
+  std::uint32_t stack[kWidth * 64];  // as in walk()
+  int size = 0;
+  if (!nodes_.empty()) stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t item = stack[--size];
+    if ((item & kLeaf) == 0) {
+      const Node& node = nodes_[item];
+      for (unsigned met = children_met(node, shaft); met != 0; met &= met - 1)
+        stack[size++] = node.children[std::countr_zero(met)];
+      continue;
+    }
+    const int before = shaft.limit;
+    if (!hide_by_block(blocks_[item & ~kLeaf], shaft)) return false;
+    if (shaft.limit != before && !shaft.anything_wanted()) return true;
+  }
+  return true;
+}
+
+}  // namespace raytracing
