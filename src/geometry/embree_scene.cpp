@@ -71,6 +71,21 @@ void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
   }
 }
 
+void set_ray(RTCRay8& rays, unsigned k, const Vec3& origin, const Vec3& direction, float far) {
+  rays.org_x[k] = origin.x;
+  rays.org_y[k] = origin.y;
+  rays.org_z[k] = origin.z;
+  rays.tnear[k] = 0;
+  rays.dir_x[k] = direction.x;
+  rays.dir_y[k] = direction.y;
+  rays.dir_z[k] = direction.z;
+  rays.time[k] = 0;
+  rays.tfar[k] = far;
+  rays.mask[k] = ~0u;
+  rays.id[k] = k;
+  rays.flags[k] = 0;
+}
+
 }  // namespace
 
 const char* embree_version() { return "Embree " RTC_VERSION_STRING; }
@@ -122,24 +137,29 @@ void EmbreeScene::add_spheres() {
   rtcReleaseGeometry(geometry);
 }
 
+void EmbreeScene::closest_hits8(std::span<const Ray> rays, std::optional<Hit>* hits) const {
+  RTCRayHit8 query;
+  alignas(32) int valid[8];
+  for (unsigned k = 0; k < 8; ++k) {
+    const Ray& ray = rays[k < rays.size() ? k : 0];
+    valid[k] = k < rays.size() ? -1 : 0;
+    set_ray(query.ray, k, ray.origin, ray.direction, std::numeric_limits<float>::infinity());
+    query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  embree::intersect8(valid, scene_.get(), query);
+  for (unsigned k = 0; k < rays.size(); ++k)
+    hits[k] = found(query.hit.geomID[k], query.hit.primID[k], query.ray.tfar[k], query.hit.u[k],
+                    query.hit.v[k]);
+}
+
 unsigned EmbreeScene::occluded8(const Vec3& from, const float* x, const float* y, const float* z,
                                 unsigned wanted) const {
   RTCRay8 query;
   alignas(32) int valid[8];
   for (unsigned k = 0; k < 8; ++k) {
     valid[k] = (wanted >> k) & 1 ? -1 : 0;
-    query.org_x[k] = from.x;
-    query.org_y[k] = from.y;
-    query.org_z[k] = from.z;
-    query.tnear[k] = 0;
-    query.dir_x[k] = x[k] - from.x;
-    query.dir_y[k] = y[k] - from.y;
-    query.dir_z[k] = z[k] - from.z;
-    query.time[k] = 0;
-    query.tfar[k] = 1;
-    query.mask[k] = ~0u;
-    query.id[k] = k;
-    query.flags[k] = 0;
+    set_ray(query, k, from, Vec3(x[k], y[k], z[k]) - from, 1);
   }
   embree::occluded8(valid, scene_.get(), query);
   unsigned hidden = 0;

@@ -105,8 +105,8 @@ void OccluderTree::Shaft::hide(const Planes& planes, int i) {
   const Vec3 a = normal(planes.edges[0]), b = normal(planes.edges[1]), c = normal(planes.edges[2]);
   const Vec3 n = normal(planes.plane);
   const float depth = planes.depth[i];
-  // How far rounding may put a ray off the side of an edge that it is on. With less, rays aimed at a
-  // corner that many triangles share may pass them all.
+  // How far rounding may put a ray off the side of an edge that it is on. With less, rays aimed at
+  // a corner that many triangles share may pass them all.
   const Vec3 size = absolute(centre) + half;
   const auto rounding = [&](const Vec3& edge) { return kRounding * dot(absolute(edge), size); };
   const float off_a = rounding(a), off_b = rounding(b), off_c = rounding(c);
@@ -147,12 +147,14 @@ bool OccluderTree::hide_by_block(const Block& block, Shaft& shaft) {
   const Planes planes(corners);
   const Points centre = all(shaft.centre), half = all(shaft.half);
   const Points size = all(absolute(shaft.centre) + shaft.half);
-  // No target may lie behind where all are on the wrong side of one plane.
-  const auto least = [&](const Points& n) {
-    return dot(n, centre) - dot(absolute(n), half) - kTolerance * dot(absolute(n), size);
-  };
-  Mask8 met = planes.depth > 0 && -least(-planes.plane) > planes.depth * (1 - kTolerance);
-  for (const Points& edge : planes.edges) met = met && least(edge) <= 0;
+  // Where all targets are on the wrong side of one plane, nothing is hidden. Of those just before
+  // the triangle, as the faces that the targets are on, any answer is within rounding: they cost no
+  // test of each.
+  const auto reach = [&](const Points& n) { return dot(absolute(n), half); };
+  Mask8 met = planes.depth > 0 && dot(planes.plane, centre) + reach(planes.plane) > planes.depth;
+  for (const Points& edge : planes.edges)
+    met = met &&
+          dot(edge, centre) - reach(edge) <= kTolerance * dot(absolute(edge), size);
   for (unsigned bits = to_bits(met); bits != 0; bits &= bits - 1) {
     if (shaft.limit-- == 0) return false;
     shaft.hide(planes, std::countr_zero(bits));

@@ -18,6 +18,9 @@
 
 #include "raytracing/integrator/reuse.h"
 
+#include <algorithm>
+#include <array>
+
 #include "group_views.h"
 #include "path_steps.h"
 #include "raytracing/materials/bsdf.h"
@@ -25,6 +28,7 @@
 namespace raytracing {
 
 struct PathGroup::Scratch {
+  std::array<std::optional<Hit>, kMaxPaths> hits;  // of the camera rays
   GroupViews views;
   std::vector<Term> terms;
   std::vector<LightSample> directions;
@@ -33,14 +37,25 @@ struct PathGroup::Scratch {
 
 namespace {
 
+// The camera rays of neighbouring pixels run much alike.
+void first_hits(std::span<const SharedPath> paths, Visibility& visibility,
+                std::span<std::optional<Hit>> hits) {
+  std::array<Ray, 8> rays;
+  for (std::size_t begin = 0; begin < paths.size(); begin += 8) {
+    const std::size_t n = std::min<std::size_t>(8, paths.size() - begin);
+    for (std::size_t i = 0; i < n; ++i) rays[i] = paths[begin + i].ray;
+    visibility.closest_hits8(std::span(rays).first(n), &hits[begin]);
+  }
+}
+
 // One vertex and its bounce, as shade() has them; what they carry to the viewer without sharing.
-// Returns the first vertex, or nothing where the camera ray meets none.
-std::optional<Vertex> start(const Scene& scene, const ShadeOptions& options, SharedPath& path,
+// Returns the first vertex, which is at `hit`, or nothing where the camera ray meets none.
+std::optional<Vertex> start(const Scene& scene, const ShadeOptions& options,
+                            const std::optional<Hit>& hit, SharedPath& path,
                             Visibility& visibility, PathLog& log) {
   log.steps.clear();
   path.radiance = Rgb(0.0f);
   path.second.reset();
-  const std::optional<Hit> hit = visibility.closest_hit(path.ray);
   if (!hit) return std::nullopt;
   const Vertex x = scene.vertex(path.ray, *hit);
   const Rgb emitted = emission(scene, *options.method, x, nullptr);
@@ -104,9 +119,10 @@ void PathGroup::shade(std::span<SharedPath> paths, Visibility& visibility, PathL
                       std::size_t logged) {
   Scratch& s = *scratch_;
   s.views.begin(paths.size());
+  first_hits(paths, visibility, s.hits);
   for (std::size_t k = 0; k < paths.size(); ++k) {
     const auto x =
-        start(scene_, options_, paths[k], visibility, k == logged ? log : s.walk_log);
+        start(scene_, options_, s.hits[k], paths[k], visibility, k == logged ? log : s.walk_log);
     if (x) s.views.set_first(k, *x);
   }
   for (std::size_t j = 0; j < paths.size(); ++j) {

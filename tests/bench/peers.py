@@ -40,7 +40,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EPSILON = 0.01
 REFERENCE_SPP, REFERENCE_SEED = 64, 100_000
 ROULETTE_DEPTH = 5  # Mitsuba's default
-OURS = {"ours, reuse off": ["--reuse", "1"], "ours, --reuse 4": ["--reuse", "4"]}
+OURS = {"ours, reuse off": ["--light-sampling", "point", "--reuse", "1"],
+        "ours, --reuse 8": ["--light-sampling", "point", "--reuse", "8"]}
 THEIRS = [("llvm_ad_rgb", "multijitter"), ("llvm_ad_rgb", "ldsampler"),
           ("scalar_rgb", "multijitter")]
 

@@ -1,5 +1,6 @@
 #include "bench/recorded_rays.h"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -29,11 +30,11 @@ void record(RTCScene scene, const RTCRay& r, RecordedRay::Kind kind) {
       {{r.org_x, r.org_y, r.org_z}, kind, {r.dir_x, r.dir_y, r.dir_z}, r.tfar});
 }
 
-void record(RTCScene scene, const RTCRay8& r, const int* valid) {
+void record(RTCScene scene, const RTCRay8& r, const int* valid, RecordedRay::Kind packet) {
   if (!recording) return;
   begin_query(scene);
   for (int k = 0; k < 8; ++k) {
-    auto kind = k == 0 ? RecordedRay::Kind::packet : RecordedRay::Kind::member;
+    auto kind = k == 0 ? packet : RecordedRay::Kind::member;
     float far = r.tfar[k];
     if (valid[k] == 0) {
       if (k == 0) far = -1;
@@ -46,9 +47,9 @@ void record(RTCScene scene, const RTCRay8& r, const int* valid) {
   }
 }
 
-void ask_packet(RTCScene scene, const RecordedRay* ray) {
-  RTCRay8 packet;
-  alignas(32) int valid[8];
+// Returns which of them were asked.
+std::array<int, 8> to_packet(const RecordedRay* ray, RTCRay8& packet) {
+  std::array<int, 8> valid{};
   for (int k = 0; k < 8; ++k) {
     const RecordedRay& r = ray[k];
     valid[k] = r.kind == RecordedRay::Kind::absent || r.far < 0 ? 0 : -1;
@@ -65,7 +66,21 @@ void ask_packet(RTCScene scene, const RecordedRay* ray) {
     packet.id[k] = 0;
     packet.flags[k] = 0;
   }
-  embree::occluded8(valid, scene, packet);
+  return valid;
+}
+
+void ask_packet(RTCScene scene, const RecordedRay* ray) {
+  RTCRayHit8 query;
+  alignas(32) const std::array<int, 8> valid = to_packet(ray, query.ray);
+  if (ray->kind == RecordedRay::Kind::shadow_packet) {
+    embree::occluded8(valid.data(), scene, query.ray);
+    return;
+  }
+  for (int k = 0; k < 8; ++k) {
+    query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  embree::intersect8(valid.data(), scene, query);
 }
 
 void ask(RTCScene scene, const RecordedRay& r) {
@@ -106,7 +121,8 @@ double RecordedRays::replay(int threads) const {
 #endif
     for (std::size_t part = next++; part + 1 < parts.size(); part = next++)
       for (std::size_t i = parts[part]; i < parts[part + 1];) {
-        const bool packet = rays[i].kind == RecordedRay::Kind::packet;
+        const bool packet = rays[i].kind == RecordedRay::Kind::closest_packet ||
+                            rays[i].kind == RecordedRay::Kind::shadow_packet;
         packet ? ask_packet(scene, &rays[i]) : ask(scene, rays[i]);
         i += packet ? 8 : 1;
       }
@@ -127,9 +143,11 @@ extern "C" {
 
 void __real_rtcIntersect1(RTCScene scene, void* second, void* third);
 void __real_rtcOccluded1(RTCScene scene, void* second, void* third);
+void __real_rtcIntersect8(const int* valid, RTCScene scene, void* second, void* third);
 void __real_rtcOccluded8(const int* valid, RTCScene scene, void* second, void* third);
 void __wrap_rtcIntersect1(RTCScene scene, void* second, void* third);
 void __wrap_rtcOccluded1(RTCScene scene, void* second, void* third);
+void __wrap_rtcIntersect8(const int* valid, RTCScene scene, void* second, void* third);
 void __wrap_rtcOccluded8(const int* valid, RTCScene scene, void* second, void* third);
 
 void __wrap_rtcIntersect1(RTCScene scene, void* second, void* third) {
@@ -144,8 +162,15 @@ void __wrap_rtcOccluded1(RTCScene scene, void* second, void* third) {
   __real_rtcOccluded1(scene, second, third);
 }
 
+void __wrap_rtcIntersect8(const int* valid, RTCScene scene, void* second, void* third) {
+  raytracing::record(scene, raytracing::ray_of<RTCRayHit8>(second, third).ray, valid,
+                     RecordedRay::Kind::closest_packet);
+  __real_rtcIntersect8(valid, scene, second, third);
+}
+
 void __wrap_rtcOccluded8(const int* valid, RTCScene scene, void* second, void* third) {
-  raytracing::record(scene, raytracing::ray_of<RTCRay8>(second, third), valid);
+  raytracing::record(scene, raytracing::ray_of<RTCRay8>(second, third), valid,
+                     RecordedRay::Kind::shadow_packet);
   __real_rtcOccluded8(valid, scene, second, third);
 }
 }

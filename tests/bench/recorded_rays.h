@@ -14,9 +14,10 @@ struct RecordedRay {
   enum class Kind : std::uint32_t {
     closest,
     shadow,
-    packet,  ///< the first of 8 that were asked together
-    member,  ///< another of them
-    absent,  ///< a member that was not asked
+    closest_packet,  ///< the first of 8 that were asked together
+    shadow_packet,   ///< the same
+    member,          ///< another of them
+    absent,          ///< a member that was not asked
   };
   Vec3 origin;
   Kind kind;

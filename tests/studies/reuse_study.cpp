@@ -24,7 +24,7 @@ constexpr struct {
 } kSteps[] = {{4, 8}, {16, 4}, {64, 2}, {256, 1}};
 constexpr std::size_t kStepCount = std::size(kSteps);
 constexpr std::size_t kFlipStep = 1;  // pictures of so few samples are looked at
-constexpr std::size_t kFlipEdge = 2;
+constexpr std::size_t kFlipEdge = 3;
 
 using Picture = std::vector<DVec3>;
 

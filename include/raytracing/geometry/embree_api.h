@@ -43,7 +43,21 @@ inline void occluded8(const int* valid, RTCScene scene, RTCRay8& rays) {
   rtcOccluded8(valid, scene, &rays, nullptr);
 }
 
+inline void intersect8(const int* valid, RTCScene scene, RTCRayHit8& rays) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &rays, &arguments);
+}
+
 #else
+
+inline void intersect8(const int* valid, RTCScene scene, RTCRayHit8& rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &context, &rays);
+}
 
 inline void intersect1(RTCScene scene, RTCRayHit& ray) {
   RTCIntersectContext context;

@@ -35,6 +35,8 @@ class EmbreeScene {
               std::vector<Sphere> spheres, int threads);
 
   std::optional<Hit> closest_hit(const Ray& ray) const;
+  /// The same for up to 8 rays that run much alike, as those of neighbouring pixels do.
+  void closest_hits8(std::span<const Ray> rays, std::optional<Hit>* hits) const;
   /// True when something lies strictly between the points `from` and `to`.
   bool occluded(const Vec3& from, const Vec3& to) const;
   /// The same for 8 segments that share the point `from`: bit k tells of the end (x[k], y[k],
@@ -53,6 +55,8 @@ class EmbreeScene {
   };
   static constexpr unsigned kTriangles = 0;  // geometry ids
   static constexpr unsigned kSpheres = 1;
+  static std::optional<Hit> found(unsigned geometry, unsigned primitive, float t, float u,
+                                  float v);
   void add_triangles();
   void add_spheres();
 
@@ -67,15 +71,19 @@ class EmbreeScene {
 
 // Here for the compiler to keep rays and hits in registers.
 
+inline std::optional<Hit> EmbreeScene::found(unsigned geometry, unsigned primitive, float t,
+                                             float u, float v) {
+  if (geometry == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{geometry == kTriangles ? Hit::Kind::triangle : Hit::Kind::sphere, primitive, t, u, v};
+}
+
 inline std::optional<Hit> EmbreeScene::closest_hit(const Ray& ray) const {
   RTCRayHit query;
   query.ray = embree::ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect1(scene_.get(), query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const auto kind = query.hit.geomID == kTriangles ? Hit::Kind::triangle : Hit::Kind::sphere;
-  return Hit{kind, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v};
+  return found(query.hit.geomID, query.hit.primID, query.ray.tfar, query.hit.u, query.hit.v);
 }
 
 inline bool EmbreeScene::occluded(const Vec3& from, const Vec3& to) const {

@@ -40,6 +40,12 @@ class Visibility {
     return scene_.geometry().closest_hit(ray);
   }
 
+  /// closest_hit of up to 8 rays that run much alike.
+  void closest_hits8(std::span<const Ray> rays, std::optional<Hit>* hits) {
+    counts_.closest += rays.size();
+    scene_.geometry().closest_hits8(rays, hits);
+  }
+
   /// Whether something stands between the vertex and the point `q` of the light.
   bool occluded(const Vertex& v, const Vec3& q, const AreaLight& light) {
     ++counts_.shadow;
