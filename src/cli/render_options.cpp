@@ -90,16 +90,17 @@ struct RenderOptionList : OptionList {
                "The picture is a little noisier with sobol than without");
     add_parsed("--reuse", "N",
                [this](const std::string& text) {
-                 a.reuse = static_cast<int>(whole_number("--reuse", text, 1, 8));
+                 a.reuse = static_cast<int>(
+                     whole_number("--reuse", text, 1, PixelGroups::kMaxEdge));
                  if (!std::has_single_bit(static_cast<unsigned>(a.reuse)))
-                   throw UsageError("--reuse: " + text + " is not 1, 2, 4 or 8");
+                   throw UsageError("--reuse: " + text + " is not 1, 2, 4, 8 or 16");
                },
                fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
-                           "(none), 2, 4 or 8; default {}. Unbiased, and --variance stays right "
-                           "for each pixel; but errors of pixels less than {} N apart are alike, "
-                           "so means over regions are less sure than as many independent pixels: "
-                           "over 16 x 16 pixels their variance was 2.5 to 5 times that with 4",
-                           a.reuse, PixelGroups::kStride));
+                           "(none), 2, 4, 8 or 16; default {}. Unbiased, and --variance stays "
+                           "right for each pixel; but errors of pixels less than {} apart ({} "
+                           "with 4) are alike, so means over regions are less sure than as many independent "
+                           "pixels: over 16 x 16 pixels their variance was 2.5 to 5 times that",
+                           a.reuse, PixelGroups::tile_edge(a.reuse), PixelGroups::tile_edge(4)));
     add_choice("--light-sampling", direct_method_names(),
                [this](const std::string& name) { a.light_sampling = name; },
                "How direct light is sampled: " + alternatives(direct_method_names()) +

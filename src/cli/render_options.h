@@ -22,7 +22,7 @@ struct RenderArguments {
   std::string scene;
   std::optional<std::uint64_t> spp;
   std::uint64_t replicates = 1;
-  int reuse = 8;
+  int reuse = 16;
   std::string light_sampling;  // "" = the scene's
   int line_rays = 4;
   std::vector<std::string> outputs;

@@ -45,7 +45,7 @@ std::string correlation_kind(const RenderRecord& r) {
     return "none: the samples of different pixels are independent";
   return fmt::format("errors of pixels less than {} apart are alike: means over regions vary more "
                      "than the variances of their pixels say",
-                     PixelGroups::kStride * r.options.reuse);
+                     PixelGroups::tile_edge(r.options.reuse));
 }
 
 // Of a single sample or replicate nothing is known: not even a wide interval is wide enough.

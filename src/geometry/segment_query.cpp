@@ -43,8 +43,8 @@ struct Corners {
 };
 
 // Where the edges between a and b meet the plane. Always from the corner that is nearer to it, or,
-// of two as near, from the side e >= 0: the two triangles that share an edge get the same point, and
-// nothing shines through between them. In space, and from the nearer corner: where the segment is
+// of two as near, from the side e >= 0: the two triangles that share an edge get the same point,
+// and nothing shines through between them. In space, and from the nearer corner: where the segment is
 // near, the plane's coordinates of corners far from it are large, and so is the rounding of the
 // corners' own places; it would be that of t.
 [[gnu::always_inline]] inline Points crossing(const Corners& a, const Corners& b) {

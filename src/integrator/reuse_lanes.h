@@ -12,7 +12,7 @@
 
 namespace raytracing {
 
-inline constexpr int kMaxLanes = 64;
+inline constexpr int kMaxLanes = 256;
 using Lanes = std::array<float, kMaxLanes>;
 
 struct alignas(64) Vec3Lanes {

@@ -6,7 +6,7 @@ namespace raytracing {
 
 PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed,
                          std::uint64_t sample, std::uint64_t replicate)
-    : width_(width), height_(height), edge_(edge) {
+    : width_(width), height_(height), edge_(edge), stride_(stride(edge)) {
   std::uint64_t key = mix_bits(seed + 0x632be59bd9b4e019u);
   key = mix_bits(key ^ sample);
   key_ = mix_bits(key + replicate * 0xd1342543de82ef95u);
@@ -19,8 +19,9 @@ PixelGroups::Pixel PixelGroups::turn(int cell_x, int cell_y) const {
   const std::uint64_t cell = std::uint64_t{static_cast<std::uint32_t>(cell_y)} << 32 |
                              static_cast<std::uint32_t>(cell_x);
   const std::uint64_t bits = mix_bits(key_ ^ mix_bits(cell));
-  return {static_cast<int>((bits & 0xffffffffu) % kStride),
-          static_cast<int>((bits >> 32) % kStride)};
+  const auto cell_edge = static_cast<std::uint64_t>(stride_);
+  return {static_cast<int>((bits & 0xffffffffu) % cell_edge),
+          static_cast<int>((bits >> 32) % cell_edge)};
 }
 
 void PixelGroups::pixels(int column, int row, int index, std::vector<Pixel>& group) const {
@@ -28,18 +29,18 @@ void PixelGroups::pixels(int column, int row, int index, std::vector<Pixel>& gro
   for (int cy = row * edge_; cy < (row + 1) * edge_; ++cy)
     for (int cx = column * edge_; cx < (column + 1) * edge_; ++cx) {
       const Pixel by = turn(cx, cy);
-      const int x = cx * kStride + (index % kStride + by.x) % kStride - shift_x_;
-      const int y = cy * kStride + (index / kStride + by.y) % kStride - shift_y_;
+      const int x = cx * stride_ + (index % stride_ + by.x) % stride_ - shift_x_;
+      const int y = cy * stride_ + (index / stride_ + by.y) % stride_ - shift_y_;
       if (x >= 0 && x < width_ && y >= 0 && y < height_) group.push_back({x, y});
     }
 }
 
 PixelGroups::Place PixelGroups::place_of(const Pixel& pixel) const {
   const int x = pixel.x + shift_x_, y = pixel.y + shift_y_;
-  const Pixel by = turn(x / kStride, y / kStride);
-  const int ix = (x % kStride - by.x + kStride) % kStride;
-  const int iy = (y % kStride - by.y + kStride) % kStride;
-  return {x / tile_edge(), y / tile_edge(), iy * kStride + ix};
+  const Pixel by = turn(x / stride_, y / stride_);
+  const int ix = (x % stride_ - by.x + stride_) % stride_;
+  const int iy = (y % stride_ - by.y + stride_) % stride_;
+  return {x / tile_edge(), y / tile_edge(), iy * stride_ + ix};
 }
 
 }  // namespace raytracing

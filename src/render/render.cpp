@@ -138,14 +138,14 @@ class Job {
 
   // Whole groups, one sample of each pixel. Tile (0,0) begins where the grid of groups does.
   void render_shared_tile(int tile, std::uint64_t sample, Share& share) {
-    constexpr int kGroups = square(PixelGroups::kStride);
     const PixelGroups groups = groups_of(options_, sample);
+    const int interleaved = groups.groups_per_tile();
     const int n = tile_edge_ / groups.tile_edge();
     const int column = tile % tiles_x_ * n, row = tile / tiles_x_ * n;
-    for (int i = 0; i < n * n * kGroups; ++i) {
-      const int cell = i / kGroups;
-      share.groups.trace(groups, {column + cell % n, row + cell / n, i % kGroups}, sample, {-1, -1},
-                         share.visibility, share.log);
+    for (int i = 0; i < n * n * interleaved; ++i) {
+      const int cell = i / interleaved;
+      const PixelGroups::Place place{column + cell % n, row + cell / n, i % interleaved};
+      share.groups.trace(groups, place, sample, {-1, -1}, share.visibility, share.log);
       const auto pixels = share.groups.pixels();
       for (std::size_t k = 0; k < pixels.size(); ++k) {
         const auto [x, y] = pixels[k];

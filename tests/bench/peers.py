@@ -41,7 +41,7 @@ EPSILON = 0.01
 REFERENCE_SPP, REFERENCE_SEED = 64, 100_000
 ROULETTE_DEPTH = 5  # Mitsuba's default
 OURS = {"ours, reuse off": ["--light-sampling", "point", "--reuse", "1"],
-        "ours, --reuse 8": ["--light-sampling", "point", "--reuse", "8"]}
+        "ours, --reuse 16": ["--light-sampling", "point", "--reuse", "16"]}
 THEIRS = [("llvm_ad_rgb", "multijitter"), ("llvm_ad_rgb", "ldsampler"),
           ("scalar_rgb", "multijitter")]
 

@@ -90,5 +90,5 @@ int main() {
              "|---|---|---|---|---|---|\n",
              raytracing::kSize, raytracing::kSpp, raytracing::kThreads, raytracing::kRounds);
   for (const char* scene : {"cornell", "glossy", "teapot_diffuse"})
-    for (const int reuse : {1, 8}) raytracing::measure(scene, reuse);
+    for (const int reuse : {1, 16}) raytracing::measure(scene, reuse);
 }

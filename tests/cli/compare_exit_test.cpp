@@ -120,7 +120,7 @@ TEST(CompareExit, RenderedPicturesCarryWhatTheNotesNeed) {
   ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2", "--variance"}).exit_code, 0);
   const std::string notes = folder.compare({"a.exr", "b.exr"}).err;
   EXPECT_EQ(notes.substr(0, 41), "note: a.exr: made by the biased method li");
-  EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 8 apart are alike"),
+  EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 16 apart are alike"),
             std::string::npos) << notes;
 }
 

@@ -63,7 +63,7 @@ TEST(Effects, SeedSamplerAndMethodChangeThePicture) {
   EXPECT_NE(base, pixels({"--seed", "1"}));
   EXPECT_NE(pixels({"--seed", "1"}), pixels({"--seed", "18446744073709551615"}));
   EXPECT_NE(base, pixels({"--sampler", "independent"}));
-  EXPECT_EQ(base, pixels({"--reuse", "8"}));
+  EXPECT_EQ(base, pixels({"--reuse", "16"}));
   EXPECT_NE(base, pixels({"--reuse", "1"}));
   EXPECT_EQ(base, pixels({"--sampler", "sobol"}));
   EXPECT_NE(base, pixels({"--spp", "3"}));

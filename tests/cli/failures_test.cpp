@@ -56,7 +56,7 @@ TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
   folder.folder.write("m.obj",
                       "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
                       "v -1 1 1\nf 1 2 3 4\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
-  for (const std::string reuse : {"1", "8"}) {
+  for (const std::string reuse : {"1", "16"}) {
     const std::vector<std::string> lax = {"s.toml",  "--spp", "4",      "--stats",
                                           "s.json", "--reuse", reuse};
     const RunResult run = folder.run(lax);

@@ -34,7 +34,7 @@ TEST(Outputs, AllAreWrittenAndToldOnStdout) {
 TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"--stats", "s.json", "-o", "x.exr", "--seed", "18446744073709551615",
-                           "--threads", "2", "--max-depth", "3", "--width", "40"})
+                           "--threads", "2", "--max-depth", "3", "--width", "40", "--reuse", "1"})
                 .exit_code,
             0);
   const nlohmann::json s = folder.json("s.json");
@@ -69,6 +69,7 @@ TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
   EXPECT_GT(s["rays_shadow"], 0);
   EXPECT_LE(s["rays_shadow"], s["rays_closest"]);
   EXPECT_EQ(s["segment_queries"], 0);
+  EXPECT_EQ(s["shaft_queries"], 0);
   EXPECT_GT(s["peak_rss_bytes"], 1e6);
   EXPECT_EQ(s["non_finite_samples"], 0);
   const ReadImage image = read_with_oiio(folder.folder / "x.exr");

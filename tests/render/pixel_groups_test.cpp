@@ -13,7 +13,7 @@ using Pixel = PixelGroups::Pixel;
 /// Every pixel of a picture of any size belongs to one group, the one of its place.
 TEST(PixelGroups, HoldEveryPixelOnce) {
   std::vector<Pixel> group;
-  for (const int edge : {1, 2, 4, 8})
+  for (const int edge : {1, 2, 4, 8, 16})
     for (const auto& [width, height] : {std::pair{13, 9}, {1, 1}, {64, 5}, {33, 40}})
       for (std::uint64_t sample = 0; sample < 5; ++sample) {
         const PixelGroups groups(width, height, edge, 3, sample, 0);
@@ -21,7 +21,7 @@ TEST(PixelGroups, HoldEveryPixelOnce) {
         const int tile = groups.tile_edge();
         for (int row = 0; row * tile < height + tile; ++row)
           for (int column = 0; column * tile < width + tile; ++column)
-            for (int index = 0; index < PixelGroups::kStride * PixelGroups::kStride; ++index) {
+            for (int index = 0; index < groups.groups_per_tile(); ++index) {
               groups.pixels(column, row, index, group);
               EXPECT_LE(group.size(), static_cast<std::size_t>(edge) * edge);
               for (const Pixel& pixel : group) {

@@ -85,7 +85,7 @@ TEST(ReuseMeans, AreThoseWithoutOnEveryScene) {
   std::sort(paths.begin(), paths.end());
   ASSERT_GE(paths.size(), 7u);
   for (const std::filesystem::path& path : paths)
-    compare(path.stem().string(), shipped_scene(path.string()), "solid-angle", {4}, std::nullopt,
+    compare(path.stem().string(), shipped_scene(path.string()), "solid-angle", {16}, std::nullopt,
             p_values);
   p_values.expect_all();
 }
@@ -103,7 +103,7 @@ TEST(ReuseMeans, AreThoseWithoutInEveryPixel) {
       options.spp = 256;
       return measure(scene, options, 1000 * reuse, kEdge, kEdge);
     };
-    const auto off = measure_pixels(1), on = measure_pixels(4);
+    const auto off = measure_pixels(1), on = measure_pixels(8);
     for (std::size_t i = 3; i < on.size(); ++i)
       p_values.add(name + ", pixel " + std::to_string(i / 3 - 1) + ", channel " +
                        std::to_string(i % 3),
@@ -128,7 +128,7 @@ TEST(ReuseMeans, AreThoseWithoutForAllMethodsAndDepths) {
   const Scene scene = maker.build();
   PValues p_values;
   for (const DirectMethod& method : direct_methods())
-    compare("room", scene, std::string(method.name), {2, 4}, std::nullopt, p_values);
+    compare("room", scene, std::string(method.name), {2, 16}, std::nullopt, p_values);
   compare("room, depth 2", scene, "solid-angle", {8}, 2, p_values);
   compare("room, depth 3", scene, "point", {8}, 3, p_values);
   p_values.expect_all();

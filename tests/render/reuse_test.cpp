@@ -35,7 +35,7 @@ RenderOptions options_of(int reuse) {
 TEST(Reuse, PictureDependsNeitherOnThreadsNorOnTiles) {
   const Scene scene = room();
   for (const DirectMethod& method : direct_methods())
-    for (const int reuse : {2, 4, 8})
+    for (const int reuse : {2, 4, 8, 16})
       for (const std::uint64_t replicates : {1, 3}) {
         RenderOptions options = options_of(reuse);
         options.width = 37;

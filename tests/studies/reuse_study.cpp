@@ -16,7 +16,7 @@ namespace {
 constexpr int kSize = 128;  // of the pictures
 constexpr int kRegion = 16;  // edge, in pixels
 constexpr int kThreads = 2;
-constexpr int kEdges[] = {1, 2, 4, 8};  // the first is without sharing
+constexpr int kEdges[] = {1, 2, 4, 8, 16};  // the first is without sharing
 constexpr std::size_t kEdgeCount = std::size(kEdges);
 constexpr struct {
   std::uint64_t spp;
@@ -24,7 +24,7 @@ constexpr struct {
 } kSteps[] = {{4, 8}, {16, 4}, {64, 2}, {256, 1}};
 constexpr std::size_t kStepCount = std::size(kSteps);
 constexpr std::size_t kFlipStep = 1;  // pictures of so few samples are looked at
-constexpr std::size_t kFlipEdge = 3;
+constexpr std::size_t kFlipEdge = 4;
 
 using Picture = std::vector<DVec3>;
 

@@ -23,8 +23,8 @@ class OccluderTree {
                std::span<const std::uint32_t> group, std::span<const Sphere> spheres, int threads);
 
   /// Exact visibility of a segment: the parts within `range` of a + t d, t in [0,1], that are seen
-  /// from p. Triangles of the group `skipped` hide nothing; nor does what lies in the query's plane,
-  /// or at p itself. A segment whose line runs through p counts as visible.
+  /// from p. Triangles of the group `skipped` hide nothing; nor does what lies in the query's
+  /// plane, or at p itself. A segment whose line runs through p counts as visible.
   ///
   /// The triangle (p, a, b = a + d) spans the query. In its plane a point is
   /// p + alpha (a-p) + beta (b-p); what lies at alpha, beta >= 0 and alpha + beta < 1 hides the
@@ -38,7 +38,7 @@ class OccluderTree {
     const float *x, *y, *z;
     int count;  ///< a multiple of 8, at most kMaxTargets
   };
-  static constexpr int kMaxTargets = 64;
+  static constexpr int kMaxTargets = 256;
 
   /// Sets wanted[k] to 0 for the targets that do not see p, since something lies strictly between;
   /// it is 1 on entry for those that are asked about, else 0. All that can hide any of them meets

@@ -22,7 +22,7 @@ struct SharedPath {
 /// its group. One per thread; its memory is used again.
 class PathGroup {
  public:
-  static constexpr std::size_t kMaxPaths = 64;
+  static constexpr std::size_t kMaxPaths = 256;
 
   PathGroup(const Scene& scene, const ShadeOptions& options);
   ~PathGroup();

@@ -6,26 +6,33 @@
 namespace raytracing {
 
 /// Which pixels share their paths: those of a group of edge x edge, one from each cell of a tile of
-/// edge x edge cells. A cell is kStride x kStride pixels, so that as many groups interleave in a
-/// tile. The tiles are shifted, and the pixels within each cell exchanged, by random numbers of the
-/// sample: groups have no fixed place that could be seen.
+/// edge x edge cells. In the largest groups a cell is one pixel, since near pixels share best. In
+/// smaller ones it is 2 x 2, so that as many groups interleave in a tile and their common errors
+/// look like grain rather than blocks. The tiles are shifted, and the pixels within each cell
+/// exchanged, by random numbers of the sample: groups have no fixed place that could be seen.
 class PixelGroups {
  public:
   struct Pixel {
     int x, y;
     bool operator==(const Pixel&) const = default;
   };
-  static constexpr int kStride = 2;
+  static constexpr int kMaxEdge = 16;
+  /// Edge of the cells of groups of this edge, in pixels.
+  static constexpr int stride(int edge) { return edge < kMaxEdge ? 2 : 1; }
+  /// Edge of their tiles. Pixels that are this far apart share nothing.
+  static constexpr int tile_edge(int edge) { return edge * stride(edge); }
 
-  /// Of one sample of all pixels. `edge` >= 1.
+  /// Of one sample of all pixels. `edge` is in [1, kMaxEdge].
   PixelGroups(int width, int height, int edge, std::uint64_t seed, std::uint64_t sample,
               std::uint64_t replicate);
 
-  int tile_edge() const { return edge_ * kStride; }
+  int tile_edge() const { return tile_edge(edge_); }
+  /// Groups that interleave in a tile.
+  int groups_per_tile() const { return stride_ * stride_; }
   /// The corner of the tiles' grid, in [0, tile_edge()) each, left of and above the picture's.
   Pixel shift() const { return {shift_x_, shift_y_}; }
-  /// The pixels of group `index` in [0, kStride^2) of the tile of that column and row, as far as
-  /// they lie in the picture.
+  /// The pixels of group `index` in [0, groups_per_tile()) of the tile of that column and row, as
+  /// far as they lie in the picture.
   void pixels(int column, int row, int index, std::vector<Pixel>& group) const;
   /// Column, row and index of the group of a pixel.
   struct Place {
@@ -37,7 +44,7 @@ class PixelGroups {
   // What the pixels of a cell are turned by, in x and y.
   Pixel turn(int cell_x, int cell_y) const;
 
-  int width_, height_, edge_;
+  int width_, height_, edge_, stride_;
   std::uint64_t key_;
   int shift_x_, shift_y_;
 };

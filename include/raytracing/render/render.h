@@ -20,7 +20,7 @@ struct RenderOptions {
   /// Groups of each pixel's samples, each with its own scrambles; divides spp. Group r holds the
   /// samples r spp / replicates and on. With 2 or more, the variances are those of the groups.
   std::uint64_t replicates = 1;
-  /// Edge of the groups of pixels that share paths: 1 = none do; 2, 4 or 8. See PixelGroups.
+  /// Edge of the groups of pixels that share paths: 1 = none do; 2, 4, 8 or 16. See PixelGroups.
   int reuse = 1;
   ShadeOptions shade;
   SamplerKind sampler = SamplerKind::sobol;
