@@ -16,6 +16,9 @@ constexpr double kSmallest = std::numeric_limits<float>::min();
 // Solid angles that leave float enough digits for the warp. Smaller and larger ones are differences
 // of angles almost equal: 2 pi is that of the whole plane.
 constexpr double kFloatLow = 0.01, kFloatHigh = 6;
+// Of the distance beside the rectangle over the height above its plane. The warp takes the height
+// from the difference of a squared cosine from 1, and that from the distance's square.
+constexpr double kFloatBeside = 16;
 
 // The plane through the observer and one edge, by the angle of its normal from the rectangle's.
 struct EdgePlane {
@@ -66,7 +69,13 @@ SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& f
   k_ = {g23.x, -g23.y};
   solid_angle_ = std::atan2(all.y, all.x);
   if (solid_angle_ < 0) solid_angle_ += 2 * std::numbers::pi;
-  needs_double_ = !(solid_angle_ > kFloatLow && solid_angle_ < kFloatHigh);
+}
+
+bool SphericalRectangle::needs_double() const {
+  const double beside2 =
+      square(std::max({0.0, x0_, -x1_})) + square(std::max({0.0, y0_, -y1_}));
+  return !(solid_angle_ > kFloatLow && solid_angle_ < kFloatHigh &&
+           beside2 < square(kFloatBeside * z0_));
 }
 
 template <class Real>
@@ -95,11 +104,11 @@ Vec3 SphericalRectangle::sample_in(const Vec2& u) const {
 }
 
 Vec3 SphericalRectangle::sample(const Vec2& u) const {
-  return needs_double_ ? sample_in<double>(u) : sample_in<float>(u);
+  return needs_double() ? sample_in<double>(u) : sample_in<float>(u);
 }
 
 SphericalRectangle::Strip SphericalRectangle::strip(float u) const {
-  const double x = needs_double_ ? sample_x<double>(u) : static_cast<double>(sample_x<float>(u));
+  const double x = needs_double() ? sample_x<double>(u) : static_cast<double>(sample_x<float>(u));
   const double d2 = x * x + z0_ * z0_;
   const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
   const double h1 = y1_ / std::sqrt(d2 + y1_ * y1_);

@@ -36,6 +36,7 @@ class SphericalRectangle {
   Strip strip(float u) const;
 
  private:
+  bool needs_double() const;  // whether float arithmetic is too coarse to choose points
   template <class Real>
   Real sample_x(float u) const;
   template <class Real>
@@ -45,7 +46,6 @@ class SphericalRectangle {
   double x0_, y0_, z0_, x1_, y1_;
   double b0_, b1_, solid_angle_;
   DVec2 k_;  // (cos k, sin k)
-  bool needs_double_;
 };
 
 /// A triangle seen from a point (Arvo 1995, section 3), in double precision.
