@@ -238,6 +238,7 @@ int chart_command(const Arguments& arguments) {
   const bool segments = asks_segments(&reference_method(a.max_depth)) ||
                         std::any_of(a.methods.begin(), a.methods.end(), asks_segments);
   bring_near(file.scene);
+  warn_of_narrow_pixels(file.scene.camera, settings.height);
   const Scene scene(std::move(file.scene), a.threads, segments);
   print_scene_notes(scene, a.quiet, false);
   return Chart(a, settings, arguments.command_line, signals).make(scene);

@@ -126,6 +126,7 @@ int render_command(const Arguments& arguments) {
   if (!a.replay) outputs.emplace(a, file);
   const Stopwatch build_time;
   const Vec3 origin = bring_near(file.scene);
+  warn_of_narrow_pixels(file.scene.camera, options.height);
   const Scene scene(std::move(file.scene), a.threads,
                     options.shade.method->asks_segments || shares_paths(options));
   const double build_seconds = build_time.seconds();

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/math/numeric.h"
 #include "raytracing/scene/far_scene.h"
 
 namespace raytracing {
@@ -48,6 +50,16 @@ Vec3 bring_near(SceneDescription& scene) {
                place.rounding);
   move_scene(scene, place.origin);
   return place.origin;
+}
+
+void warn_of_narrow_pixels(const CameraDescription& camera, int height) {
+  // Directions of rays, and corners as seen from their origin, are that far off at most.
+  constexpr float kRounding = 0x1p-24f;
+  const float pixel = 2 * std::tan(camera.vertical_fov * (kPi / 360)) / static_cast<float>(height);
+  if (pixel < 8 * kRounding)
+    fmt::print(stderr, "warning: a pixel is {:.1g} rad wide and rays are rounded to {:.1g}: shapes "
+               "will be distorted; put the camera nearer\n",
+               pixel, kRounding);
 }
 
 void print_scene_notes(const Scene& scene, bool quiet, bool strict) {

@@ -57,6 +57,7 @@ ModelLoader::Model& ModelLoader::model(const ModelRequest& request) {
     throw InputError(request.where, error.what());
   }
   ObjModel obj = parse_obj(text, request.path, report_);
+  drop_unused_positions(obj.mesh);  // they would count to the scene's bounds and its rounding
   Model made{std::move(obj), {}, uses_[request.path]};
   return models_.emplace(request.path, std::move(made)).first->second;
 }

@@ -29,4 +29,7 @@ struct PolygonMesh {
   std::vector<Face> faces;
 };
 
+/// Removes the positions that no corner uses.
+void drop_unused_positions(PolygonMesh& mesh);
+
 }  // namespace raytracing
