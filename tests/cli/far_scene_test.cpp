@@ -13,14 +13,18 @@
 namespace raytracing {
 namespace {
 
-// Floor, wall, lamp and a block that overhangs; multiples of 1/4. Vertex 1 is no face's.
-const std::string kModel =
-    "v 0 0 0\n"
-    "v -2 0 -2\nv 2 0 -2\nv 2 0 2\nv -2 0 2\nv -2 4 -2\nv 2 4 -2\n"
-    "v -1 1 -1\nv .75 1 -1\nv .75 1.25 .5\nv -1 1 .5\n"
-    "v -.5 3.75 -.5\nv .5 3.75 -.5\nv .5 3.75 .5\nv -.5 3.75 .5\n"
-    "usemtl grey\nf 5 4 3 2\nf 2 3 7 6\nf 8 9 10\nf 8 10 11\n"
-    "usemtl lamp\nf 12 13 14 15\n";
+// Floor, wall, a roof and a lamp; multiples of 1/4. `offset` is added to all but the first vertex,
+// which is no face's.
+std::string model(const DVec3& offset) {
+  std::string text = "mtllib m.mtl\nv 0 0 0\n";
+  for (const DVec3& p : {DVec3(-2, 0, -2), DVec3(2, 0, -2), DVec3(2, 0, 2), DVec3(-2, 0, 2),
+                         DVec3(-2, 4, -2), DVec3(2, 4, -2), DVec3(-1, 1, -1), DVec3(0.75, 1, -1),
+                         DVec3(0.75, 1.25, 0.5), DVec3(-1, 1, 0.5), DVec3(-0.5, 3.75, -0.5),
+                         DVec3(0.5, 3.75, -0.5), DVec3(0.5, 3.75, 0.5), DVec3(-0.5, 3.75, 0.5)})
+    text += fmt::format("v {} {} {}\n", p.x + offset.x, p.y + offset.y, p.z + offset.z);
+  return text + "usemtl grey\nf 5 4 3 2\nf 2 3 7 6\nf 8 9 10\nf 8 10 11\n"
+                "usemtl lamp\nf 12 13 14 15\n";
+}
 const std::string kLibrary = "newmtl grey\nKd .6 .5 .4\nnewmtl lamp\nKd 0 0 0\nKe 6 6 6\n";
 const std::string kNarrow = "warning: a pixel is";
 
@@ -30,18 +34,17 @@ std::string scene(const DVec3& offset) {
     return fmt::format("[{}, {}, {}]", x + offset.x, y + offset.y, z + offset.z);
   };
   return "[film]\nwidth = 24\nheight = 24\n[camera]\norigin = " + place(0.25, 2.5, 6) +
-         "\ntarget = " + place(0, 1.5, 0) + "\n[[models]]\nobj = 'm.obj'\ntranslate = " +
-         place(0, 0, 0) + "\n[materials.shiny]\ntype = 'ggx'\nroughness = 0.5\n[[spheres]]\n"
+         "\ntarget = " + place(0, 1.5, 0) + "\n[[models]]\nobj = 'm.obj'\n"
+         "[materials.shiny]\ntype = 'ggx'\nroughness = 0.5\n[[spheres]]\n"
          "center = " + place(1, 0.5, 1) + "\nradius = 0.5\nmaterial = 'shiny'\n";
 }
 
 struct FarScene : ::testing::Test {
   void SetUp() override {
-    // A lone triangle that shines.
-  at.folder.write("m.obj", "mtllib m.mtl\n" + kModel);
     at.folder.write("m.mtl", kLibrary);
   }
   RunResult run(const DVec3& offset, std::vector<std::string> more) {
+    at.folder.write("m.obj", model(offset));
     at.folder.write("s.toml", scene(offset));
     more.insert(more.begin(), {"s.toml", "--spp=4"});
     const RunResult result = at.run(more);
