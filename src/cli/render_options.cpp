@@ -98,8 +98,8 @@ struct RenderOptionList : OptionList {
                fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
                            "(none), 2, 4, 8 or 16; default {}. Unbiased, and --variance stays "
                            "right for each pixel; but errors of pixels less than {} apart ({} "
-                           "with 4) are alike, so means over regions are less sure than as many independent "
-                           "pixels: over 16 x 16 pixels their variance was 2.5 to 5 times that",
+                           "with 4) are alike, so means over regions are less sure than as many "
+                           "independent pixels (--reuse 1)",
                            a.reuse, PixelGroups::tile_edge(a.reuse), PixelGroups::tile_edge(4)));
     add_choice("--light-sampling", direct_method_names(),
                [this](const std::string& name) { a.light_sampling = name; },
