@@ -7,7 +7,7 @@
 
 namespace raytracing {
 
-/// Builds the tree of a OccluderTree by rtcBuildBVH and lays it out in arrays.
+/// Builds the tree of an OccluderTree by rtcBuildBVH and lays it out in arrays.
 class OccluderTree::TreeBuilder {
  public:
   TreeBuilder(OccluderTree& target, std::span<const Vec3> positions,

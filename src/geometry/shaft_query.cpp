@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -22,7 +23,7 @@ Float8 dot(const Points& a, const Points& b) { return a.x * b.x + (a.y * b.y + a
 Points cross(const Points& a, const Points& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-Points all(const Vec3& v) { return {v.x, v.y, v.z}; }
+Points broadcast(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 // Eight triangles, from p. A target d lies behind one that does not hold p in its plane where
 // plane.d > depth and edges[i].d <= 0 for all three edges.
@@ -38,8 +39,19 @@ struct Planes {
       const Points &from = v[i], &to = v[(i + 1) % 3];
       edges[i] = cross(to - from, to + from);
     }
-    plane = cross(v[1] - v[0], v[2] - v[0]);
-    depth = dot(plane, v[0]);
+    // From the two shorter edges: those that meet at the tip of a needle are nearly parallel, and
+    // rounding would tilt their plane.
+    const Points sides[3] = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
+    const Float8 lengths2[3] = {dot(sides[0], sides[0]), dot(sides[1], sides[1]),
+                                dot(sides[2], sides[2])};
+    const Mask8 first_longest = lengths2[0] >= lengths2[1] && lengths2[0] >= lengths2[2];
+    const Mask8 second_longest = !first_longest && lengths2[1] >= lengths2[2];
+    const auto opposite = [&](const Points& of_first, const Points& of_second,
+                              const Points& of_third) {
+      return select(first_longest, of_first, select(second_longest, of_second, of_third));
+    };
+    plane = cross(opposite(sides[1], sides[2], sides[0]), opposite(sides[2], sides[0], sides[1]));
+    depth = dot(plane, opposite(v[2], v[0], v[1]));
     const Mask8 turned = depth < 0;
     depth = simd::abs(depth);
     for (Points* normal : {&edges[0], &edges[1], &edges[2], &plane})
@@ -64,7 +76,7 @@ struct OccluderTree::Shaft {
   Vec3 p;
   int count;
   std::int32_t* still;  // wanted, and not yet hidden
-  int limit;            // of further triangles and spheres
+  int steps;            // that may still be taken
   Vec3 centre, half;    // bounds of the targets, from p
   // A point t of the shaft's length away from p has each coordinate within [t lower, t upper].
   // That of a box is at these multiples of its bounds.
@@ -74,21 +86,24 @@ struct OccluderTree::Shaft {
 
 OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted,
                            int most)
-    : p(from), count(targets.count), still(wanted), limit(most) {
+    : p(from), count(targets.count), still(wanted), steps(most) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (int k = 0; k < count; ++k) {
     x[k] = targets.x[k] - p.x;
     y[k] = targets.y[k] - p.y;
     z[k] = targets.z[k] - p.z;
   }
-  alignas(64) float far[kMaxTargets];  // moves what is not wanted out of the bounds
-  for (int k = 0; k < count; ++k) far[k] = still[k] != 0 ? 0.0f : kInfinity;
   const float* const coordinates[3] = {x, y, z};
   for (int axis = 0; axis < 3; ++axis) {
+    alignas(64) float low[kMaxTargets], high[kMaxTargets];  // only of what is wanted
+    for (int k = 0; k < count; ++k) {
+      low[k] = still[k] != 0 ? coordinates[axis][k] : kInfinity;
+      high[k] = still[k] != 0 ? coordinates[axis][k] : -kInfinity;
+    }
     Float8 lowest = kInfinity, highest = -kInfinity;
     for (int k = 0; k < count; k += kLanes) {
-      lowest = simd::min(lowest, load(coordinates[axis] + k) + load(far + k));
-      highest = simd::max(highest, load(coordinates[axis] + k) - load(far + k));
+      lowest = simd::min(lowest, load(low + k));
+      highest = simd::max(highest, load(high + k));
     }
     const float lower = simd::hmin(lowest), upper = simd::hmax(highest);
     centre[axis] = 0.5f * (lower + upper);
@@ -145,8 +160,8 @@ bool OccluderTree::hide_by_block(const Block& block, Shaft& shaft) {
     corners[i] = {load(block.corners[i][0]) - shaft.p.x, load(block.corners[i][1]) - shaft.p.y,
                   load(block.corners[i][2]) - shaft.p.z};
   const Planes planes(corners);
-  const Points centre = all(shaft.centre), half = all(shaft.half);
-  const Points size = all(absolute(shaft.centre) + shaft.half);
+  const Points centre = broadcast(shaft.centre), half = broadcast(shaft.half);
+  const Points size = broadcast(absolute(shaft.centre) + shaft.half);
   // Where all targets are on the wrong side of one plane, nothing is hidden. Of those just before
   // the triangle, as the faces that the targets are on, any answer is within rounding: they cost no
   // test of each.
@@ -156,7 +171,7 @@ bool OccluderTree::hide_by_block(const Block& block, Shaft& shaft) {
     met = met &&
           dot(edge, centre) - reach(edge) <= kTolerance * dot(absolute(edge), size);
   for (unsigned bits = to_bits(met); bits != 0; bits &= bits - 1) {
-    if (shaft.limit-- == 0) return false;
+    if (shaft.steps-- == 0) return false;
     shaft.hide(planes, std::countr_zero(bits));
   }
   return true;
@@ -171,7 +186,7 @@ bool OccluderTree::hide_by_spheres(Shaft& shaft) const {
     const Vec3 nearest = t > 0 ? std::min(t, 1.0f) * shaft.centre : Vec3(0.0f);
     const float reach = (radius + sphere.radius) * (1 + kTolerance) + kTolerance * length(centre);
     if (length(centre - nearest) > reach) continue;
-    if (shaft.limit-- == 0) return false;
+    if (shaft.steps-- == 0) return false;
     for (int k = 0; k < shaft.count; ++k) {
       const auto [t0, t1] = line_crossings(sphere, Ray{shaft.p, shaft.target(k)});
       shaft.still[k] &= !(((t0 > 0) & (t0 < 1)) | ((t1 > 0) & (t1 < 1)));
@@ -182,24 +197,28 @@ bool OccluderTree::hide_by_spheres(Shaft& shaft) const {
 
 bool OccluderTree::keep_visible(const Vec3& p, const Targets& targets, std::int32_t* wanted,
                                 int limit) const {
+  assert(targets.count % kLanes == 0 && targets.count <= kMaxTargets);
   if (!built_) return false;
   Shaft shaft(p, targets, wanted, limit);
-  if (!shaft.anything_wanted()) return true;
   if (!hide_by_spheres(shaft)) return false;
   std::uint32_t stack[kWidth * 64];  // as in walk()
   int size = 0;
   if (!nodes_.empty()) stack[size++] = 0;
   while (size > 0) {
+    if (shaft.steps-- == 0) return false;
     const std::uint32_t item = stack[--size];
     if ((item & kLeaf) == 0) {
       const Node& node = nodes_[item];
-      for (unsigned met = children_met(node, shaft); met != 0; met &= met - 1)
-        stack[size++] = node.children[std::countr_zero(met)];
+      for (unsigned met = children_met(node, shaft); met != 0; met &= met - 1) {
+        const std::uint32_t child = node.children[std::countr_zero(met)];
+        prefetch(child);
+        stack[size++] = child;
+      }
       continue;
     }
-    const int before = shaft.limit;
+    const int before = shaft.steps;
     if (!hide_by_block(blocks_[item & ~kLeaf], shaft)) return false;
-    if (shaft.limit != before && !shaft.anything_wanted()) return true;
+    if (shaft.steps != before && !shaft.anything_wanted()) return true;
   }
   return true;
 }

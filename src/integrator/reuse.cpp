@@ -27,6 +27,8 @@
 
 namespace raytracing {
 
+static_assert(PathGroup::kMaxPaths == kMaxLanes && kMaxLanes == OccluderTree::kMaxTargets);
+
 struct PathGroup::Scratch {
   std::array<std::optional<Hit>, kMaxPaths> hits;  // of the camera rays
   GroupViews views;

@@ -1,8 +1,12 @@
 #include "raytracing/render/pixel_groups.h"
 
+#include "raytracing/integrator/reuse.h"
+#include "raytracing/math/numeric.h"
 #include "raytracing/sampling/hash.h"
 
 namespace raytracing {
+
+static_assert(square(PixelGroups::kMaxEdge) == PathGroup::kMaxPaths);
 
 PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed,
                          std::uint64_t sample, std::uint64_t replicate)

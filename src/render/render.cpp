@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <tuple>
 
 #include "raytracing/math/numeric.h"
@@ -29,11 +30,13 @@ int tile_count(const RenderOptions& options, int pixels) {
   return (pixels + largest_shift + tile_edge(options) - 1) / tile_edge(options);
 }
 
+bool is_before(const NonFiniteSample& a, const NonFiniteSample& b) {
+  return std::tie(a.y, a.x, a.sample) < std::tie(b.y, b.x, b.sample);
+}
+
 // Keeps the few that come first in the picture, whatever thread found them.
 void keep_first(std::vector<NonFiniteSample>& named) {
-  std::sort(named.begin(), named.end(), [](const NonFiniteSample& a, const NonFiniteSample& b) {
-    return std::tie(a.y, a.x, a.sample) < std::tie(b.y, b.x, b.sample);
-  });
+  std::sort(named.begin(), named.end(), is_before);
   if (named.size() > kNamedSamples) named.resize(kNamedSamples);
 }
 
@@ -100,6 +103,7 @@ class Job {
     std::uint64_t reported = 0;
     std::array<std::uint64_t, kNonFiniteCauses> non_finite{};  // by cause
     std::vector<NonFiniteSample> named;
+    std::optional<NonFiniteCause> cause_in_group;  // where the group has had one
   };
 
   // Waits until the passes before this one are done wherever the tile adds samples. Shifted tiles
@@ -145,6 +149,7 @@ class Job {
     for (int i = 0; i < n * n * interleaved; ++i) {
       const int cell = i / interleaved;
       const PixelGroups::Place place{column + cell % n, row + cell / n, i % interleaved};
+      share.cause_in_group.reset();
       share.groups.trace(groups, place, sample, {-1, -1}, share.visibility, share.log);
       const auto pixels = share.groups.pixels();
       for (std::size_t k = 0; k < pixels.size(); ++k) {
@@ -158,18 +163,26 @@ class Job {
   Rgb finite(const Rgb& radiance, int x, int y, std::uint64_t sample, Share& share) {
     ++share.paths;
     if (is_finite(radiance)) return radiance;
-    if (shared_) log_alone(x, y, sample, share);
-    const NonFiniteCause cause = non_finite_cause(share.log);
+    const NonFiniteCause cause =
+        shared_ ? cause_in_group(x, y, sample, share) : non_finite_cause(share.log);
     ++share.non_finite[static_cast<std::size_t>(cause)];
     share.named.push_back({x, y, sample, cause});
     keep_first(share.named);
     return Rgb(0.0f);
   }
 
-  // The log of a group is that of one of its pixels.
-  void log_alone(int x, int y, std::uint64_t sample, Share& share) {
-    Visibility uncounted(scene_);
-    trace_sample(scene_, camera_, options_, x, y, sample, uncounted, share.log);
+  // The log of a group is that of one of its pixels, so that the group is traced again. A path that
+  // overflows reaches all that see it: of those, only the ones that will be named are traced again
+  // each; the others are counted with the cause of the one before.
+  NonFiniteCause cause_in_group(int x, int y, std::uint64_t sample, Share& share) {
+    const bool named =
+        share.named.size() < kNamedSamples || is_before({x, y, sample, {}}, share.named.back());
+    if (named || !share.cause_in_group) {
+      Visibility uncounted(scene_);
+      trace_sample(scene_, camera_, options_, x, y, sample, uncounted, share.log);
+      share.cause_in_group = non_finite_cause(share.log);
+    }
+    return *share.cause_in_group;
   }
 
   void report(Share& share) {

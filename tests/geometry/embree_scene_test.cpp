@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "raytracing/io/obj.h"
@@ -67,6 +68,34 @@ TEST(EmbreeScene, ReportsTheNearestOfTrianglesAndSpheres) {
     EXPECT_EQ(hit->index, ray.index);
     EXPECT_FLOAT_EQ(hit->t, ray.t);
   }
+}
+
+TEST(EmbreeScene, PacketsHitWhatSingleRaysHit) {
+  const EmbreeScene scene = triangle_and_spheres();
+  TestRandom random(31);
+  int met = 0;
+  for (int round = 0; round < 1000; ++round) {
+    std::array<Ray, 8> rays;
+    std::array<std::optional<Hit>, 8> hits;
+    const std::size_t n = 1 + random.bits() % 8;
+    const Vec3 from = random.in_cube(10), towards = random.in_cube(4);
+    for (std::size_t k = 0; k < n; ++k) rays[k] = {from, towards + random.in_cube(1) - from};
+    scene.closest_hits8(std::span(rays).first(n), hits.data());
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto single = scene.closest_hit(rays[k]);
+      ASSERT_EQ(hits[k].has_value(), single.has_value());
+      if (!single) continue;
+      ++met;
+      EXPECT_EQ(hits[k]->kind, single->kind);
+      EXPECT_EQ(hits[k]->index, single->index);
+      EXPECT_NEAR(hits[k]->t, single->t, 1e-5f * single->t);
+      if (single->kind == Hit::Kind::sphere) continue;
+      EXPECT_NEAR(hits[k]->u, single->u, 1e-4f);
+      EXPECT_NEAR(hits[k]->v, single->v, 1e-4f);
+    }
+    for (std::size_t k = n; k < 8; ++k) EXPECT_FALSE(hits[k]);
+  }
+  EXPECT_GT(met, 400);
 }
 
 TEST(EmbreeScene, OccludedLooksBetweenThePointsOnly) {

@@ -9,7 +9,7 @@ namespace raytracing {
 namespace {
 
 /// A room with a metal ball on a sphere, and metal walls at two sides.
-Scene room() {
+Scene room(bool with_occluders = true) {
   SceneMaker maker;
   const auto wall = maker.add_surface(Diffuse{Rgb(0.7f, 0.5f, 0.3f)});
   const auto light = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(5.0f, 4.0f, 3.0f));
@@ -18,7 +18,7 @@ Scene room() {
   maker.add_polygon(parallelogram({0, 0.95f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}), light);
   maker.add_sphere({0.2f, -0.6f, -0.2f}, 0.4f, metal);
   maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 70};
-  return maker.build();
+  return Scene(std::move(maker.description), 1, with_occluders);
 }
 
 RenderOptions options_of(int reuse) {
@@ -53,6 +53,7 @@ TEST(Reuse, PictureDependsNeitherOnThreadsNorOnTiles) {
               << method.name << ", reuse " << reuse << ", " << threads << " threads";
           EXPECT_EQ(other.paths, 37u * 23u * 6u);
           EXPECT_EQ(other.rays.shadow, first.rays.shadow);
+          EXPECT_EQ(other.rays.shafts, first.rays.shafts);
         }
       }
 }
@@ -60,7 +61,7 @@ TEST(Reuse, PictureDependsNeitherOnThreadsNorOnTiles) {
 // A replay traces the whole group again; its log tells where the radiance comes from.
 TEST(Reuse, TraceSampleIsWhatRenderAdds) {
   const Scene scene = room();
-  for (const int reuse : {2, 8}) {
+  for (const int reuse : {2, 16}) {
     const RenderOptions options = options_of(reuse);
     const RenderResult result = render_all(scene, options);
     const Camera camera(scene.camera(), options.width, options.height);
@@ -79,6 +80,24 @@ TEST(Reuse, TraceSampleIsWhatRenderAdds) {
         EXPECT_TRUE(same_pixel(pixel, result.film.at(x, y))) << x << ", " << y;
       }
   }
+}
+
+// Shafts and single rays tell the same but where a ray grazes an edge.
+TEST(Reuse, ShaftsTellWhatRaysTell) {
+  RenderOptions options = options_of(16);
+  options.width = options.height = 40;
+  const RenderResult by_shafts = render_all(room(), options);
+  const RenderResult by_rays = render_all(room(false), options);
+  EXPECT_GT(by_shafts.rays.shafts, 1000u);
+  EXPECT_EQ(by_rays.rays.shafts, 0u);
+  EXPECT_LT(by_shafts.rays.shadow, by_rays.rays.shadow / 2);
+  int differing = 0;
+  for (int y = 0; y < options.height; ++y)
+    for (int x = 0; x < options.width; ++x) {
+      const DVec3 a = by_shafts.film.at(x, y).mean(), b = by_rays.film.at(x, y).mean();
+      differing += length(a - b) > 1e-4 * length(b) ? 1 : 0;
+    }
+  EXPECT_LE(differing, options.width * options.height / 100);
 }
 
 TEST(Reuse, HasNothingToDoForDirectLight) {

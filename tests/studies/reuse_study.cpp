@@ -125,7 +125,7 @@ SceneResult measure(const Scene& scene) {
   for (std::size_t e = 0; e < kEdgeCount; ++e)
     finest[e] = render_once(scene, kEdges[e], kSteps[last].spp, seed_of(last, e, 0));
   const auto truth_without = [&](std::size_t e) {
-    return Truth{finest[e == 3 ? 1 : 3].picture, finest[e == 2 ? 1 : 2].picture};
+    return Truth{finest[e == 4 ? 2 : 4].picture, finest[e == 3 ? 2 : 3].picture};
   };
   for (std::size_t e = 0; e < kEdgeCount; ++e)
     result.cells[last][e] = {truth_without(e).relmse(finest[e].picture), finest[e].seconds};
@@ -175,8 +175,8 @@ std::string flip_row(const std::string& name, const SceneResult& result) {
 
 std::string region_row(const std::string& name, const SceneResult& result) {
   const auto& excess = result.region_excess;
-  return fmt::format("| {} | {:.2f} | {:.1f} | {:.1f} | {:.1f} |\n", name, excess[0], excess[1],
-                     excess[2], excess[3]);
+  return fmt::format("| {} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} |\n", name, excess[0],
+                     excess[1], excess[2], excess[3], excess[4]);
 }
 
 // One block per edge, one column per scene.
@@ -214,15 +214,15 @@ void run(StudyReport& report, const std::vector<std::string>& wanted) {
   report.print(
       "# Shared paths\n\n"
       "Every scene at {0} x {0}, all bounces, light sampling `point`, `--reuse` 1 by turns with 2, "
-      "4 and 8. Without sharing: processor seconds of all threads, and relMSE. With it: time, "
+      "4, 8 and 16. Without sharing: processor seconds of all threads, and relMSE. With it: time, "
       "**relative to without**; error, how many times less; **efficiency 1/(relMSE s), how many "
       "times more**. Means over {1}, {2}, {3} and {4} seeds at {5}, {6}, {7} and {8} spp. The "
       "truth is that of two pictures of {8} spp with sharing and other seeds, by products of the "
       "differences to the one and to the other: their own noise does not enter.\n\n",
       kSize, kSteps[0].seeds, kSteps[1].seeds, kSteps[2].seeds, kSteps[3].seeds, kSteps[0].spp,
       kSteps[1].spp, kSteps[2].spp, kSteps[3].spp);
-  report.print("| scene | spp | off | 2 x 2: time, error, efficiency | 4 x 4 | 8 x 8 |\n"
-               "|---|---|---|---|---|---|\n");
+  report.print("| scene | spp | off | 2 x 2: time, error, efficiency | 4 x 4 | 8 x 8 | 16 x 16 |\n"
+               "|---|---|---|---|---|---|---|\n");
   std::vector<std::string> names;
   std::vector<SceneResult> results;
   std::string flip_rows, region_rows;
@@ -241,8 +241,8 @@ void run(StudyReport& report, const std::vector<std::string>& wanted) {
                kFlipPixelsPerDegree, kEdges[kFlipEdge], kSteps[kFlipStep].spp, flip_rows);
   report.print("\n## How alike the errors of neighbours are\n\nVariance of means over regions of "
                "{0} x {0} pixels at {1} spp: how many times that of as many independent pixels "
-               "with the same variances.\n\n| scene | off | 2 x 2 | 4 x 4 | 8 x 8 |\n"
-               "|---|---|---|---|---|\n{2}",
+               "with the same variances.\n\n| scene | off | 2 x 2 | 4 x 4 | 8 x 8 | 16 x 16 |\n"
+               "|---|---|---|---|---|---|\n{2}",
                kRegion, kSteps[kFlipStep].spp, region_rows);
   report.write_csv("efficiency", to_csv(names, results));
   report.write_text();

@@ -33,7 +33,7 @@ class OccluderTree {
   IntervalSet visible_part(const Vec3& p, const Vec3& a, const Vec3& d, const Interval& range,
                            std::uint32_t skipped = kNone) const;
 
-  /// Points that are asked about together: arrays, aligned to 32 bytes, of their coordinates.
+  /// Points that are asked about together: arrays of their coordinates.
   struct Targets {
     const float *x, *y, *z;
     int count;  ///< a multiple of 8, at most kMaxTargets
@@ -41,10 +41,11 @@ class OccluderTree {
   static constexpr int kMaxTargets = 256;
 
   /// Sets wanted[k] to 0 for the targets that do not see p, since something lies strictly between;
-  /// it is 1 on entry for those that are asked about, else 0. All that can hide any of them meets
-  /// the shaft (Haines & Wallace 1991), the hull of p and their bounds. Returns false where it gave
-  /// up: the tree was not built, or more than `limit` triangles and spheres meet the shaft. Then
-  /// some of the targets still wanted may be hidden, too.
+  /// it is 1 on entry for those that are asked about, else 0; one at least is. All that can hide any
+  /// of them meets the shaft (Haines & Wallace 1991), the hull of p and their bounds. Returns false
+  /// where it gave up: the tree was not built, or it would take more than `limit` steps, each a node,
+  /// a block of triangles, a triangle or a sphere that meets the shaft. Then some of the targets still
+  /// wanted may be hidden, too.
   bool keep_visible(const Vec3& p, const Targets& targets, std::int32_t* wanted, int limit) const;
 
   std::size_t node_count() const { return nodes_.size(); }

@@ -27,7 +27,7 @@ inline std::pair<float, float> line_crossings(const Sphere& sphere, const Ray& r
   const Vec3 closest = f + (b / a) * ray.direction;
   const float discriminant = sphere.radius * sphere.radius - dot(closest, closest);
   const float c = dot(f, f) - sphere.radius * sphere.radius;
-  const float q = b + std::copysign(std::sqrt(a * discriminant), b);
+  const float q = b + std::copysign(std::sqrt(a) * std::sqrt(discriminant), b);
   return {c / q, q / a};
 }
 

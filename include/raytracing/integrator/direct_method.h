@@ -51,7 +51,7 @@ struct DirectMethod {
   /// light; null for a method without one, whose lights BSDF sampling then never counts.
   float (*pdf_w)(const AreaLight& light, const Vec3& from, const Vec3& q);
 
-  bool asks_segments = false;  ///< whether it needs Scene::occluders()
+  bool asks_segments = false;  ///< whether it needs Scene::occluders() for them
 
   /// Whether a surface of this material shares its direct light between the method and BSDF
   /// sampling.

@@ -13,7 +13,7 @@ struct RayCounts {
   std::uint64_t closest = 0;   ///< closest-hit rays
   std::uint64_t shadow = 0;    ///< occlusion tests
   std::uint64_t segments = 0;  ///< exact visibility queries of a segment
-  std::uint64_t shafts = 0;    ///< queries which of many points see one
+  std::uint64_t shafts = 0;    ///< answered queries which of many points see one
   std::uint64_t escaped = 0;   ///< closest-hit rays from a surface that met nothing
   /// Light samples taken uniform in area by a method that is uniform in solid angle, where the
   /// solid angle is too small or too large for float arithmetic.
@@ -65,8 +65,9 @@ class Visibility {
   /// OccluderTree::keep_visible of targets that are ray origins, from the ray origin `from`.
   bool keep_visible(const Vec3& from, const OccluderTree::Targets& targets, std::int32_t* wanted,
                     int limit) {
-    ++counts_.shafts;
-    return scene_.occluders().keep_visible(from, targets, wanted, limit);
+    const bool answered = scene_.occluders().keep_visible(from, targets, wanted, limit);
+    if (answered) ++counts_.shafts;
+    return answered;
   }
 
   /// The parts of the chord, within `range`, that the vertex sees; parameters of the chord.

@@ -45,7 +45,7 @@ inline constexpr double kEvenLightShare = 0.1;
 class Scene {
  public:
   /// `threads` >= 1 build the accelerators. Without `with_occluders`, occluders() stays empty and
-  /// takes no memory: for methods that do not ask it.
+  /// takes no memory: for renderings that ask neither for segments nor share paths.
   Scene(SceneDescription description, int threads, bool with_occluders = true);
 
   const EmbreeScene& geometry() const { return geometry_; }
