@@ -3,8 +3,8 @@
 namespace raytracing {
 namespace {
 
-// Steps after which rays are asked instead: what fills a shaft so costs less by rays. The time has a
-// flat minimum there, from 16 to 64 in the scenes of this repository.
+// Steps after which rays are asked instead: what fills a shaft so costs less by rays. The time has
+// a flat minimum there, from 16 to 64 in the scenes of this repository.
 constexpr int kShaftLimit = 32;
 
 }  // namespace

@@ -166,8 +166,8 @@ TEST(ShaftQuery, NothingShinesThroughClosedSurfaces) {
   }
 }
 
-// Points of the walls of a closed box, as origins of rays, see each other: their own walls, in which
-// the shafts begin and end, hide nothing, though they consist of needles.
+// Points of the walls of a closed box, as origins of rays, see each other: their own walls, in
+// which the shafts begin and end, hide nothing, though they consist of needles.
 TEST(ShaftQuery, WallsDoNotHideThemselves) {
   TestRandom random(44);
   for (const auto& [scale, offset] :

@@ -41,11 +41,11 @@ class OccluderTree {
   static constexpr int kMaxTargets = 256;
 
   /// Sets wanted[k] to 0 for the targets that do not see p, since something lies strictly between;
-  /// it is 1 on entry for those that are asked about, else 0; one at least is. All that can hide any
-  /// of them meets the shaft (Haines & Wallace 1991), the hull of p and their bounds. Returns false
-  /// where it gave up: the tree was not built, or it would take more than `limit` steps, each a node,
-  /// a block of triangles, a triangle or a sphere that meets the shaft. Then some of the targets still
-  /// wanted may be hidden, too.
+  /// it is 1 on entry for those that are asked about, at least for one, else 0. All that can hide
+  /// any of them meets the shaft (Haines & Wallace 1991), the hull of p and their bounds. Returns
+  /// false where it gave up: the tree was not built, or it would take more than `limit` steps, each
+  /// a node, a block of triangles, a triangle or a sphere that meets the shaft. Then some of the
+  /// targets still wanted may be hidden, too.
   bool keep_visible(const Vec3& p, const Targets& targets, std::int32_t* wanted, int limit) const;
 
   std::size_t node_count() const { return nodes_.size(); }
