@@ -197,7 +197,8 @@ TEST(Effects, HeaderTellsWhetherPixelsAreIndependent) {
 TEST(Effects, ProgressLinesAreJsonAndNeverEndEarly) {
   const CliFolder folder;
   const RunResult run = folder.render({"--progress", "jsonl", "--width", "100", "--height", "100",
-                                       "--spp", "128", "--threads", "1", "-o", "x.png"});
+                                       "--spp", "128", "--reuse", "1", "--threads", "1", "-o",
+                                       "x.png"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "x.png\n");
   std::istringstream lines(run.err);
