@@ -17,7 +17,7 @@ do for [output in "png svg"] {
   set multiplot layout 1,4 title "1/(relMSE s), times that without sharing"
   do for [i = 0:3] {
     set title sprintf("--reuse %d", 2 ** (i + 1))
-    if (i == 3) { set key top right samplen 1 } else { unset key }
+    if (i == 0) { set key top right samplen 1 } else { unset key }
     plot for [k = 2:words(scenes) + 1] "reuse_efficiency.csv" index i every ::1 using 1:k \
          with linespoints pt 7 ps 0.6 lw 1.5 lt k - 1 title word(scenes, k - 1)
   }
