@@ -76,8 +76,9 @@ class Chart {
 
     RunLog log(a_.folder);
     if (log.dropped() > 0)
-      fmt::print(stderr, "warning: {} rows of {}/runs.csv have no picture in runs/ and are made "
-                         "anew; the old table is kept as runs.csv.old\n",
+      fmt::print(stderr,
+                 "warning: {} rows of {}/runs.csv have no picture in runs/ and are made "
+                 "anew; the old table is kept as runs.csv.old\n",
                  log.dropped(), one_line(a_.folder));
     if (!make_all_runs(scene, {*reference_, counted, floor}, log))
       return stopped("finished runs are kept; the same command goes on");
@@ -87,8 +88,11 @@ class Chart {
 
  private:
   ReferenceTerms terms() const {
-    ReferenceTerms terms{settings_.width, settings_.height, settings_.scene_hash,
-                         depth_text(settings_.max_depth), {}};
+    ReferenceTerms terms{settings_.width,
+                         settings_.height,
+                         settings_.scene_hash,
+                         depth_text(settings_.max_depth),
+                         {}};
     for (const PlannedRun& run : plan_runs(settings_)) terms.seeds.push_back(run.seed);
     return terms;
   }
@@ -104,8 +108,7 @@ class Chart {
   // From the folder or rendered now. False when stopped.
   bool take_auto_reference(const Scene& scene) {
     const std::string id = settings_json(settings_, reference_id(), "").dump();
-    const std::string path =
-        fmt::format("{}/reference_{:016x}.exr", a_.folder, hash_bytes(id));
+    const std::string path = fmt::format("{}/reference_{:016x}.exr", a_.folder, hash_bytes(id));
     if (std::filesystem::exists(path)) {
       reference_ = read_reference(path, terms());
       return true;
@@ -114,10 +117,9 @@ class Chart {
                      reference_method(settings_.max_depth).name, a_.reference_time));
     OutputFile file(path);
     ProgressDisplay display(a_.quiet ? ProgressStyle::none : a_.progress);
-    auto picture = render_reference(scene, settings_, a_.reference_time, signals_.stop(),
-                                    [&](std::uint64_t done, std::uint64_t total) {
-                                      display.update(done, total);
-                                    });
+    auto picture = render_reference(
+        scene, settings_, a_.reference_time, signals_.stop(),
+        [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
     display.finish(picture.has_value());
     if (!picture) return false;
     file.write(encode_image(*picture, ImageFormat::exr));
@@ -132,8 +134,10 @@ class Chart {
                        floor->relmse.value, floor->relmse.standard_error,
                        reference_->variance_source));
     else
-      fmt::print(stderr, "warning: the reference's own noise is {}; it is not subtracted, and "
-                         "there is no estimate of bias\n", reference_->variance_source);
+      fmt::print(stderr,
+                 "warning: the reference's own noise is {}; it is not subtracted, and "
+                 "there is no estimate of bias\n",
+                 reference_->variance_source);
   }
 
   bool make_all_runs(const Scene& scene, const Yardstick& yardstick, RunLog& log) const {
@@ -141,15 +145,15 @@ class Chart {
     const auto finished = std::count_if(runs.begin(), runs.end(), [&](const PlannedRun& run) {
       return log.find(run.method->name, run.spp, run.repetition) != nullptr;
     });
-    tell(fmt::format("{}x{} pixels{}, {} methods, {} spp, {} seeds: {} runs, {} of them finished "
-                     "before", settings_.width, settings_.height,
-                     a_.width || a_.height ? "" : " (the scene's)", settings_.methods.size(),
-                     settings_.spp.size(), settings_.seeds, runs.size(), finished));
+    tell(fmt::format(
+        "{}x{} pixels{}, {} methods, {} spp, {} seeds: {} runs, {} of them finished "
+        "before",
+        settings_.width, settings_.height, a_.width || a_.height ? "" : " (the scene's)",
+        settings_.methods.size(), settings_.spp.size(), settings_.seeds, runs.size(), finished));
     ProgressDisplay display(a_.quiet ? ProgressStyle::none : a_.progress);
-    const bool complete = make_runs(scene, settings_, runs, yardstick, log, signals_.stop(),
-                                    [&](std::uint64_t done, std::uint64_t total) {
-                                      display.update(done, total);
-                                    });
+    const bool complete =
+        make_runs(scene, settings_, runs, yardstick, log, signals_.stop(),
+                  [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
     display.finish(complete);
     return complete;
   }
@@ -164,9 +168,8 @@ class Chart {
     folder_.write("chart.dat", plot_data(summary, plot_bottom(summary)));
     folder_.write("chart.gp", plot_script(summary, chart_title(settings_)));
     const auto write_report = [&](bool has_charts) {
-      folder_.write("report.html",
-                    report_html(chart_report(settings_, summary, log, *reference_, counted,
-                                             has_charts, facts())));
+      folder_.write("report.html", report_html(chart_report(settings_, summary, log, *reference_,
+                                                            counted, has_charts, facts())));
     };
     try {
       write_report(draw());
@@ -178,29 +181,26 @@ class Chart {
 
   bool draw() const {
     if (!run_gnuplot(a_.folder, "chart.gp")) {
-      fmt::print(stderr, "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the "
-                         "same command draws them\n");
+      fmt::print(stderr,
+                 "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the "
+                 "same command draws them\n");
       return false;
     }
-    for (const char* name : {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg",
-                             "error_vs_spp.png"})
+    for (const char* name :
+         {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg", "error_vs_spp.png"})
       folder_.print_path(name);
     return true;
   }
 
   std::vector<std::pair<std::string, std::string>> facts() const {
-    return {{"command", command_line_},
-            {"version", program_version()},
-            {"build", build_description()},
-            {"machine", machine_description()},
-            {"reference", reference_id()},
-            {"mask", mask_id_}};
+    return {{"command", command_line_},     {"version", program_version()},
+            {"build", build_description()}, {"machine", machine_description()},
+            {"reference", reference_id()},  {"mask", mask_id_}};
   }
 
   void tell_bias(const ChartSummary& summary) const {
     for (const MethodSummary& m : summary.methods)
-      if (m.bias())
-        tell(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
+      if (m.bias()) tell(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
   }
 
   int stopped(const char* what_now) const {

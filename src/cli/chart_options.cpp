@@ -27,10 +27,11 @@ struct ChartOptionList : OptionList {
   ChartArguments& a;
 
   explicit ChartOptionList(ChartArguments& arguments)
-      : OptionList("Measures the error of the methods against their time, and draws it. The same "
-                   "command goes on where an earlier run of it was stopped. No paths are shared "
-                   "between pixels, as in renderings with --reuse 1.",
-                   "Raytracing chart"),
+      : OptionList(
+            "Measures the error of the methods against their time, and draws it. The same "
+            "command goes on where an earlier run of it was stopped. No paths are shared "
+            "between pixels, as in renderings with --reuse 1.",
+            "Raytracing chart"),
         a(arguments) {
     add_text("--scene,scene", a.scene, "FILE.toml", "Scene file (TOML)");
     add_text("--out", a.folder, "DIR",
@@ -44,15 +45,17 @@ struct ChartOptionList : OptionList {
   }
 
   void add_run_options() {
-    add_parsed("--methods", "A,B,...",
-               [this](const std::string& text) { a.methods = parse_methods(text); },
-               "Light sampling methods, of " + alternatives(direct_method_names()) +
-                   "; default all");
-    add_parsed("--spp", "N,N,...", [this](const std::string& text) { a.spp = parse_spp(text); },
-               "Samples per pixel; default 1,2,4,8,16,32,64");
+    add_parsed(
+        "--methods", "A,B,...",
+        [this](const std::string& text) { a.methods = parse_methods(text); },
+        "Light sampling methods, of " + alternatives(direct_method_names()) + "; default all");
+    add_parsed(
+        "--spp", "N,N,...", [this](const std::string& text) { a.spp = parse_spp(text); },
+        "Samples per pixel; default 1,2,4,8,16,32,64");
     add_number("--seeds", a.seeds, 1, kMaxSeeds,
                fmt::format("Runs of each method at each spp, with a seed each; default {}; the "
-                           "bias needs two", a.seeds));
+                           "bias needs two",
+                           a.seeds));
   }
 
   void add_reference_options() {
@@ -75,18 +78,20 @@ struct ChartOptionList : OptionList {
     add_number("--max-depth", a.max_depth, 1, kMaxDepth,
                "Surfaces that a path may be reflected at; 1 = direct light only; default "
                "unlimited");
-    add_number("--line-rays", a.line_rays, 1, kMaxLineRays,
-               fmt::format("Rays per chord of the methods that count rays; default {}",
-                           a.line_rays));
-    add_choice("--sampler", {"sobol", "independent"},
-               [this](const std::string& name) { a.sampler = *sampler_kind(name); },
-               "Source of the random numbers: sobol (default) or independent");
+    add_number(
+        "--line-rays", a.line_rays, 1, kMaxLineRays,
+        fmt::format("Rays per chord of the methods that count rays; default {}", a.line_rays));
+    add_choice(
+        "--sampler", {"sobol", "independent"},
+        [this](const std::string& name) { a.sampler = *sampler_kind(name); },
+        "Source of the random numbers: sobol (default) or independent");
     add_number("--threads", a.threads, 1, kMaxThreads,
                "Threads; default: as many as the machine has");
-    add_choice("--progress", {"auto", "bar", "jsonl", "none"},
-               [this](const std::string& name) { a.progress = *progress_style(name); },
-               "How progress is shown on stderr: auto (default; a bar on a terminal, else "
-               "nothing), bar, jsonl (one JSON object per line) or none");
+    add_choice(
+        "--progress", {"auto", "bar", "jsonl", "none"},
+        [this](const std::string& name) { a.progress = *progress_style(name); },
+        "How progress is shown on stderr: auto (default; a bar on a terminal, else "
+        "nothing), bar, jsonl (one JSON object per line) or none");
     add_switch("--quiet", a.quiet, "Print nothing but errors and warnings");
   }
 };

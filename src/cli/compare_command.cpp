@@ -47,8 +47,9 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
                    "End with exit code 1 when relMSE is above this limit, or A has pixels that are "
                    "not finite");
   options.add_text("--json", a.json, "FILE", "Write the numbers and their formulas as JSON");
-  options.add_footer("1 means above the limit; 3 also pictures of different sizes, a mask without "
-                     "white pixels,\nand --z-scores of pictures without variance layers.\n");
+  options.add_footer(
+      "1 means above the limit; 3 also pictures of different sizes, a mask without "
+      "white pixels,\nand --z-scores of pictures without variance layers.\n");
   a.help = options.parse(arguments);
   if (a.help) return a;
   if (a.reference.empty()) throw_usage("two pictures are needed");

@@ -79,9 +79,10 @@ std::vector<Row> rows(const Comparison& c) {
 void add_notes_on(const ImageData& image, const std::string& path,
                   std::vector<std::string>& notes) {
   if (header_text(image, "lightSamplingBiased") == "yes")
-    notes.push_back(fmt::format("note: {}: made by the biased method {}: more samples do not bring "
-                                "it to the true picture",
-                                path, header_text(image, "lightSampling")));
+    notes.push_back(
+        fmt::format("note: {}: made by the biased method {}: more samples do not bring "
+                    "it to the true picture",
+                    path, header_text(image, "lightSampling")));
   const std::string complete = header_text(image, "complete");
   if (!complete.empty() && complete != "yes")
     notes.push_back(fmt::format("warning: {}: its rendering was stopped early", path));
@@ -89,20 +90,20 @@ void add_notes_on(const ImageData& image, const std::string& path,
     notes.push_back(fmt::format("note: {}: {}", path, header_text(image, "pixelCorrelation")));
   const std::string bits = header_text(image, "bitsPerSample");  // of a PNG
   if (!bits.empty())
-    notes.push_back(fmt::format("note: {}: {} bits a channel, and light beyond 1 is cut off", path,
-                                bits));
+    notes.push_back(
+        fmt::format("note: {}: {} bits a channel, and light beyond 1 is cut off", path, bits));
 }
 
 }  // namespace
 
 std::string comparison_text(const Comparison& c) {
-  std::string text = fmt::format("x = {}\nr = {}\nmeans over R, G and B of {} pixels\n",
-                                 one_line(c.test_path), one_line(c.reference_path),
-                                 c.metrics.pixels);
+  std::string text =
+      fmt::format("x = {}\nr = {}\nmeans over R, G and B of {} pixels\n", one_line(c.test_path),
+                  one_line(c.reference_path), c.metrics.pixels);
   for (const Row& row : rows(c)) {
     const double* real = std::get_if<double>(&row.value);
-    const std::string number = real ? fmt::format("{:.6g}", *real)
-                                    : fmt::format("{}", std::get<std::uint64_t>(row.value));
+    const std::string number =
+        real ? fmt::format("{:.6g}", *real) : fmt::format("{}", std::get<std::uint64_t>(row.value));
     text += fmt::format("{:<14} {:>12}  {}\n", row.label, number, row.formula);
   }
   return text;

@@ -100,8 +100,8 @@ std::vector<std::string> OptionList::names() const {
 void OptionList::throw_not_expected(const std::string& argument) const {
   if (!argument.starts_with("-")) throw_usage(argument + ": " + why_extra_());
   const std::string name = argument.substr(0, argument.find('='));
-  throw_usage(fmt::format("{}: no such option; the nearest is {}", name,
-                          nearest_name(name, names())));
+  throw_usage(
+      fmt::format("{}: no such option; the nearest is {}", name, nearest_name(name, names())));
 }
 
 }  // namespace raytracing

@@ -85,10 +85,9 @@ void print_result(const RenderRecord& r, bool quiet) {
                o.spp * static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height));
 }
 
-int render_and_write(const RenderArguments& a, const RenderOptions& options,
-                     const SceneFile& file, const Scene& scene, const std::string& command_line,
-                     double load_seconds, double build_seconds, const StopOnSignal& signals,
-                     Outputs& outputs) {
+int render_and_write(const RenderArguments& a, const RenderOptions& options, const SceneFile& file,
+                     const Scene& scene, const std::string& command_line, double load_seconds,
+                     double build_seconds, const StopOnSignal& signals, Outputs& outputs) {
   ProgressDisplay display(a.quiet ? ProgressStyle::none : a.progress);
   const RenderResult result =
       render(scene, options, signals.stop(),

@@ -88,51 +88,55 @@ struct RenderOptionList : OptionList {
                "is that between the group means over N, which is honest for sobol too; a 95 % "
                "interval takes Student's t with N-1 degrees of freedom (2.36 for 8, 2.13 for 16). "
                "The picture is a little noisier with sobol than without");
-    add_parsed("--reuse", "N",
-               [this](const std::string& text) {
-                 a.reuse = static_cast<int>(
-                     whole_number("--reuse", text, 1, PixelGroups::kMaxEdge));
-                 if (!std::has_single_bit(static_cast<unsigned>(a.reuse)))
-                   throw UsageError("--reuse: " + text + " is not 1, 2, 4, 8 or 16");
-               },
-               fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
-                           "(none), 2, 4, 8 or 16; default {}. Unbiased, and --variance stays "
-                           "right for each pixel; but errors of pixels less than {} apart ({} "
-                           "with 4) are alike, so means over regions are less sure than as many "
-                           "independent pixels (--reuse 1)",
-                           a.reuse, PixelGroups::tile_edge(a.reuse), PixelGroups::tile_edge(4)));
-    add_choice("--light-sampling", direct_method_names(),
-               [this](const std::string& name) { a.light_sampling = name; },
-               "How direct light is sampled: " + alternatives(direct_method_names()) +
-                   " (see below); default: the scene's");
-    add_number("--line-rays", a.line_rays, 1, kMaxLineRays,
-               fmt::format("Rays per chord of the methods that count rays; default {}",
-                           a.line_rays));
+    add_parsed(
+        "--reuse", "N",
+        [this](const std::string& text) {
+          a.reuse = static_cast<int>(whole_number("--reuse", text, 1, PixelGroups::kMaxEdge));
+          if (!std::has_single_bit(static_cast<unsigned>(a.reuse)))
+            throw UsageError("--reuse: " + text + " is not 1, 2, 4, 8 or 16");
+        },
+        fmt::format("Groups of N x N pixels share their paths after the first bounce: 1 "
+                    "(none), 2, 4, 8 or 16; default {}. Unbiased, and --variance stays "
+                    "right for each pixel; but errors of pixels less than {} apart ({} "
+                    "with 4) are alike, so means over regions are less sure than as many "
+                    "independent pixels (--reuse 1)",
+                    a.reuse, PixelGroups::tile_edge(a.reuse), PixelGroups::tile_edge(4)));
+    add_choice(
+        "--light-sampling", direct_method_names(),
+        [this](const std::string& name) { a.light_sampling = name; },
+        "How direct light is sampled: " + alternatives(direct_method_names()) +
+            " (see below); default: the scene's");
+    add_number(
+        "--line-rays", a.line_rays, 1, kMaxLineRays,
+        fmt::format("Rays per chord of the methods that count rays; default {}", a.line_rays));
     add_number("--max-depth", a.max_depth, 1, kMaxDepth,
                "Surfaces that a path may be reflected at; 1 = direct light only; default "
                "unlimited, with Russian roulette");
     add_number("--seed", a.seed, 0, UINT64_MAX, "Seed of the random numbers; default 0");
-    add_choice("--sampler", {"sobol", "independent"},
-               [this](const std::string& name) { a.sampler = *sampler_kind(name); },
-               "Source of the random numbers: sobol (default) or independent");
+    add_choice(
+        "--sampler", {"sobol", "independent"},
+        [this](const std::string& name) { a.sampler = *sampler_kind(name); },
+        "Source of the random numbers: sobol (default) or independent");
     add_number("--threads", a.threads, 1, kMaxThreads,
                "Threads; default: as many as the machine has. The picture does not depend on it");
   }
 
   void add_report_options() {
     add_text("--stats", a.stats, "FILE.json", "Write statistics as JSON");
-    add_choice("--progress", {"auto", "bar", "jsonl", "none"},
-               [this](const std::string& name) { a.progress = *progress_style(name); },
-               "How progress is shown on stderr: auto (default; a bar on a terminal, else "
-               "nothing), bar, jsonl (one JSON object per line) or none");
+    add_choice(
+        "--progress", {"auto", "bar", "jsonl", "none"},
+        [this](const std::string& name) { a.progress = *progress_style(name); },
+        "How progress is shown on stderr: auto (default; a bar on a terminal, else "
+        "nothing), bar, jsonl (one JSON object per line) or none");
     add_switch("--quiet", a.quiet,
                "Print nothing but errors and warnings: no progress, no summary, no file names");
     add_switch("--strict", a.strict,
                "Repaired or dropped input is an error (exit code 3), and so are non-finite "
                "samples (exit code 1)");
-    add_parsed("--replay", "X,Y,SAMPLE",
-               [this](const std::string& text) { a.replay = parse_replay(text); },
-               "Trace only this sample of this pixel and print its vertices");
+    add_parsed(
+        "--replay", "X,Y,SAMPLE",
+        [this](const std::string& text) { a.replay = parse_replay(text); },
+        "Trace only this sample of this pixel and print its vertices");
     add_switch("--list-methods", list_methods, "List the values of --light-sampling");
     add_switch("--version", version, "Version, build, instruction set and libraries");
   }
@@ -163,8 +167,8 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
   o.spp = a.spp.value_or(static_cast<std::uint64_t>(scene.spp));
   o.replicates = a.replicates;
   if (o.spp % o.replicates != 0)
-    throw UsageError(fmt::format("--replicates: {} does not divide {} samples per pixel",
-                                 o.replicates, o.spp));
+    throw UsageError(
+        fmt::format("--replicates: {} does not divide {} samples per pixel", o.replicates, o.spp));
   o.reuse = a.reuse;
   o.shade.method =
       find_direct_method(a.light_sampling.empty() ? scene.light_sampling : a.light_sampling);

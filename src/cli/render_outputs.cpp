@@ -31,9 +31,10 @@ std::string variance_kind(const RenderRecord& r) {
     return fmt::format("unknown: a pixel has fewer than two complete {}",
                        r.options.replicates > 1 ? "replicates" : "samples");
   if (r.options.replicates > 1)
-    return fmt::format("between the means of replicates: honest; Student's t with {} degrees of "
-                       "freedom",
-                       replicates - 1);
+    return fmt::format(
+        "between the means of replicates: honest; Student's t with {} degrees of "
+        "freedom",
+        replicates - 1);
   return r.options.sampler == SamplerKind::independent
              ? "between independent samples: honest"
              : "between samples as if they were independent: too large for sobol";
@@ -41,11 +42,11 @@ std::string variance_kind(const RenderRecord& r) {
 
 // What the variances of single pixels do not tell, for people.
 std::string correlation_kind(const RenderRecord& r) {
-  if (!shares_paths(r.options))
-    return "none: the samples of different pixels are independent";
-  return fmt::format("errors of pixels less than {} apart are alike: means over regions vary more "
-                     "than the variances of their pixels say",
-                     PixelGroups::tile_edge(r.options.reuse));
+  if (!shares_paths(r.options)) return "none: the samples of different pixels are independent";
+  return fmt::format(
+      "errors of pixels less than {} apart are alike: means over regions vary more "
+      "than the variances of their pixels say",
+      PixelGroups::tile_edge(r.options.reuse));
 }
 
 // Of a single sample or replicate nothing is known: not even a wide interval is wide enough.

@@ -33,8 +33,9 @@ std::vector<std::string> with_extensions(const std::vector<std::string>& names) 
 // The files drawn: none where gnuplot is missing.
 std::vector<std::string> draw(const StressResult& result, const ResultFolder& folder) {
   if (!run_gnuplot(folder.path(), "stress.gp")) {
-    fmt::print(stderr, "no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); gnuplot "
-                       "stress.gp in the folder draws them\n");
+    fmt::print(stderr,
+               "no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); gnuplot "
+               "stress.gp in the folder draws them\n");
     return {};
   }
   const std::vector<std::string> drawn = with_extensions(stress_pictures(result));
@@ -79,7 +80,8 @@ void print_verdicts(const StressResult& result) {
 // One line for each cell that fails the run.
 int exit_code(const StressResult& result) {
   for (const StressCell* c : result.failures())
-    fmt::print(stderr, "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}, {} samples "
+    fmt::print(stderr,
+               "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}, {} samples "
                "not finite or below 0\n",
                c->stress_case->name, c->setting->label, c->method->name, to_string(c->verdict),
                100 * c->relative_bias(), 100 * c->relative(c->standard_error), c->z(),

@@ -19,30 +19,32 @@ struct StressOptionList : OptionList {
   std::vector<std::string> names;
 
   explicit StressOptionList(StressArguments& arguments)
-      : OptionList("Looks for where the methods fail: sweeps of one parameter towards trouble, "
-                   "each measured against the exact radiance of one point. Fails (exit code 1) "
-                   "when a method that claims to be unbiased is not, or a sample is not finite.",
-                   "Raytracing stress"),
+      : OptionList(
+            "Looks for where the methods fail: sweeps of one parameter towards trouble, "
+            "each measured against the exact radiance of one point. Fails (exit code 1) "
+            "when a method that claims to be unbiased is not, or a sample is not finite.",
+            "Raytracing stress"),
         a(arguments) {
     add_text("--out", a.folder, "DIR", "Folder for stress.csv, the heat maps and stress.html");
     add_texts("--case", names, "NAME",
               "Only this case; may be given several times; default all, see below");
-    add_parsed("--methods", "A,B,...",
-               [this](const std::string& text) { a.plan.methods = parse_methods(text); },
-               "Light sampling methods, of " + alternatives(direct_method_names()) +
-                   "; default all");
+    add_parsed(
+        "--methods", "A,B,...",
+        [this](const std::string& text) { a.plan.methods = parse_methods(text); },
+        "Light sampling methods, of " + alternatives(direct_method_names()) + "; default all");
     add_number("--seeds", a.plan.seeds, 1, kMaxSeeds,
                fmt::format("Of each cell; {} pixels of {} samples a seed; default {}",
                            kPixelsPerSeed, kStressSpp, a.plan.seeds));
-    add_number("--line-rays", a.plan.line_rays, 1, kMaxLineRays,
-               fmt::format("Rays per chord of the methods that count rays; default {}",
-                           a.plan.line_rays));
+    add_number(
+        "--line-rays", a.plan.line_rays, 1, kMaxLineRays,
+        fmt::format("Rays per chord of the methods that count rays; default {}", a.plan.line_rays));
     add_number("--threads", a.plan.threads, 1, kMaxThreads,
                "Threads; default: as many as the machine has");
-    add_choice("--progress", {"auto", "bar", "jsonl", "none"},
-               [this](const std::string& name) { a.progress = *progress_style(name); },
-               "How progress is shown on stderr: auto (default; a bar on a terminal, else "
-               "nothing), bar, jsonl (one JSON object per line) or none");
+    add_choice(
+        "--progress", {"auto", "bar", "jsonl", "none"},
+        [this](const std::string& name) { a.progress = *progress_style(name); },
+        "How progress is shown on stderr: auto (default; a bar on a terminal, else "
+        "nothing), bar, jsonl (one JSON object per line) or none");
     add_switch("--quiet", a.quiet, "Print nothing but errors, warnings and failures");
     add_cases();
   }

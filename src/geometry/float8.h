@@ -21,7 +21,8 @@ inline unsigned to_bits(const Mask8& mask) {
   return bits;
 }
 
-[[gnu::always_inline]] inline Float8 select(const Mask8& mask, const Float8& yes, const Float8& no) {
+[[gnu::always_inline]] inline Float8 select(const Mask8& mask, const Float8& yes,
+                                            const Float8& no) {
   Float8 result = no;
   simd::where(mask, result) = yes;
   return result;

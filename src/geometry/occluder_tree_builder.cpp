@@ -70,10 +70,9 @@ OccluderTree::OccluderTree(std::span<const Vec3> positions,
   if (!triangles.empty()) TreeBuilder(*this, positions, triangles, group).build(threads);
 }
 
-OccluderTree::TreeBuilder::TreeBuilder(OccluderTree& target,
-                                            std::span<const Vec3> positions,
-                                            std::span<const EmbreeScene::Triangle> triangles,
-                                            std::span<const std::uint32_t> group)
+OccluderTree::TreeBuilder::TreeBuilder(OccluderTree& target, std::span<const Vec3> positions,
+                                       std::span<const EmbreeScene::Triangle> triangles,
+                                       std::span<const std::uint32_t> group)
     : target_(target), positions_(positions), triangles_(triangles), group_(group) {}
 
 const OccluderTree::TreeBuilder::Branch& OccluderTree::TreeBuilder::make_branches(

@@ -1,10 +1,9 @@
-#include "raytracing/geometry/occluder_tree.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "float8.h"
+#include "raytracing/geometry/occluder_tree.h"
 #include "sphere_shadow.h"
 
 namespace raytracing {
@@ -44,8 +43,8 @@ struct Corners {
 
 // Where the edges between a and b meet the plane. Always from the corner that is nearer to it, or,
 // of two as near, from the side e >= 0: the two triangles that share an edge get the same point,
-// and nothing shines through between them. In space, and from the nearer corner: where the segment is
-// near, the plane's coordinates of corners far from it are large, and so is the rounding of the
+// and nothing shines through between them. In space, and from the nearer corner: where the segment
+// is near, the plane's coordinates of corners far from it are large, and so is the rounding of the
 // corners' own places; it would be that of t.
 [[gnu::always_inline]] inline Points crossing(const Corners& a, const Corners& b) {
   const Mask8 a_first = (a.e >= 0) == (a.e + b.e <= 0);  // the signs of the two differ
@@ -60,7 +59,7 @@ struct Corners {
 // segment from a to b. What does not hides nothing: the receiver's own face, a few roundings behind
 // p, would else count where the light is far and alpha and beta are known only to such roundings.
 Mask8 separates(const Float8 (&x)[3], const Float8 (&y)[3], const Float8 (&z)[3], const Vec3& a,
-               const Vec3& b) {
+                const Vec3& b) {
   const Float8 ux = x[1] - x[0], uy = y[1] - y[0], uz = z[1] - z[0];
   const Float8 vx = x[2] - x[0], vy = y[2] - y[0], vz = z[2] - z[0];
   const Float8 nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
@@ -75,8 +74,8 @@ Mask8 separates(const Float8 (&x)[3], const Float8 (&y)[3], const Float8 (&z)[3]
 // negative; `coordinate`, if any, is that function and becomes exactly 0 at the cut. Returns which
 // segments are gone altogether.
 [[gnu::always_inline]] inline Mask8 clip(PlanePoints& c, PlanePoints& d, const Float8& at_c,
-                                        const Float8& at_d,
-                                        Float8 PlanePoints::*coordinate = nullptr) {
+                                         const Float8& at_d,
+                                         Float8 PlanePoints::*coordinate = nullptr) {
   const Mask8 cut_c = at_c < 0, cut_d = at_d < 0;
   PlanePoints cut = mix(c, d, at_c / (at_c - at_d));
   if (coordinate) cut.*coordinate = 0;
@@ -101,7 +100,7 @@ struct Side {
 // The query's plane and the functions that bound what can hide the segment.
 struct OccluderTree::SegmentQuery {
   SegmentQuery(const Vec3& from, const Vec3& a, const Vec3& along, float max_coordinate,
-        std::uint32_t skip)
+               std::uint32_t skip)
       : p(from), skipped(skip) {
     const Vec3 to_a = a - p, to_b = to_a + along;
     // Not to_a x to_b: that cancels for a short far segment.
@@ -128,14 +127,14 @@ struct OccluderTree::SegmentQuery {
   }
 
   Vec3 p;
-  Side plane;                      // the signed distance e, times |n|
-  Vec3 alpha, beta;                // the coordinates alpha and beta
-  Side depth;                      // their sum, without the cancellation
-  Side after_begin;                // >= 0 for what projects behind the beginning of the hull
-  Side before_end;                 // >= 0 for what projects before its end
-  std::pair<Vec3, Vec3> segment;   // beginning, from p, and direction
-  Vec3 hull_begin, hull_end;       // from p
-  Vec3 lower, upper;               // bounds of p and the hull
+  Side plane;                     // the signed distance e, times |n|
+  Vec3 alpha, beta;               // the coordinates alpha and beta
+  Side depth;                     // their sum, without the cancellation
+  Side after_begin;               // >= 0 for what projects behind the beginning of the hull
+  Side before_end;                // >= 0 for what projects before its end
+  std::pair<Vec3, Vec3> segment;  // beginning, from p, and direction
+  Vec3 hull_begin, hull_end;      // from p
+  Vec3 lower, upper;              // bounds of p and the hull
   float rounding;
   std::uint32_t skipped;
 };
@@ -193,8 +192,8 @@ unsigned OccluderTree::children_met(const Node& node, const SegmentQuery& query)
   };
   // Exact comparisons: the query's own rounding is far below the offset of its ends from surfaces.
   Mask8 met = load(bounds[0][0]) <= query.upper.x && load(bounds[1][0]) >= query.lower.x &&
-             load(bounds[0][1]) <= query.upper.y && load(bounds[1][1]) >= query.lower.y &&
-             load(bounds[0][2]) <= query.upper.z && load(bounds[1][2]) >= query.lower.z;
+              load(bounds[0][1]) <= query.upper.y && load(bounds[1][1]) >= query.lower.y &&
+              load(bounds[0][2]) <= query.upper.z && load(bounds[1][2]) >= query.lower.z;
   met = met && extreme(query.plane.n, true) >= -query.plane.tolerance &&
         extreme(query.plane.n, false) <= query.plane.tolerance;
   met = met && extreme(query.after_begin.n, true) >= -query.after_begin.tolerance &&
@@ -204,7 +203,7 @@ unsigned OccluderTree::children_met(const Node& node, const SegmentQuery& query)
 }
 
 void OccluderTree::subtract_block(const Block& block, const SegmentQuery& query,
-                                       IntervalSet& visible) {
+                                  IntervalSet& visible) {
   Float8 x[3], y[3], z[3], alpha[3], beta[3], depth[3], e[3];
   for (int corner = 0; corner < 3; ++corner) {
     x[corner] = load(block.corners[corner][0]) - query.p.x;
@@ -215,14 +214,13 @@ void OccluderTree::subtract_block(const Block& block, const SegmentQuery& query,
     depth[corner] = dot(query.depth.n, x[corner], y[corner], z[corner]);
     e[corner] = dot(query.plane.n, x[corner], y[corner], z[corner]);
   }
-  const Corners corners[3] = {{{x[0], y[0], z[0]}, e[0]},
-                              {{x[1], y[1], z[1]}, e[1]},
-                              {{x[2], y[2], z[2]}, e[2]}};
+  const Corners corners[3] = {
+      {{x[0], y[0], z[0]}, e[0]}, {{x[1], y[1], z[1]}, e[1]}, {{x[2], y[2], z[2]}, e[2]}};
   const Mask8 above[3] = {e[0] >= 0, e[1] >= 0, e[2] >= 0};
   const Mask8 crosses = (above[0] || above[1] || above[2]) && !(above[0] && above[1] && above[2]);
   const Mask8 inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
-                      (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
-                      (depth[0] < 1 || depth[1] < 1 || depth[2] < 1);
+                       (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
+                       (depth[0] < 1 || depth[1] < 1 || depth[2] < 1);
   Mask8 may_hide = crosses && inside;
   if (simd::none_of(may_hide)) return;
   may_hide = may_hide && separates(x, y, z, query.hull_begin, query.hull_end);
@@ -234,10 +232,8 @@ void OccluderTree::subtract_block(const Block& block, const SegmentQuery& query,
                        dot(query.depth.n, q.x, q.y, q.z)};
   };
   const Points on_12 = crossing(corners[1], corners[2]);
-  PlanePoints c =
-      in_plane(select(above[0] != above[1], crossing(corners[0], corners[1]), on_12));
-  PlanePoints d =
-      in_plane(select(above[2] != above[0], crossing(corners[2], corners[0]), on_12));
+  PlanePoints c = in_plane(select(above[0] != above[1], crossing(corners[0], corners[1]), on_12));
+  PlanePoints d = in_plane(select(above[2] != above[0], crossing(corners[2], corners[0]), on_12));
   Mask8 gone = !may_hide;
   gone = gone || clip(c, d, c.alpha, d.alpha, &PlanePoints::alpha);
   gone = gone || clip(c, d, c.beta, d.beta, &PlanePoints::beta);

@@ -84,8 +84,7 @@ struct OccluderTree::Shaft {
   alignas(64) float x[kMaxTargets], y[kMaxTargets], z[kMaxTargets];  // from p
 };
 
-OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted,
-                           int most)
+OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted, int most)
     : p(from), count(targets.count), still(wanted), steps(most) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (int k = 0; k < count; ++k) {
@@ -168,8 +167,7 @@ bool OccluderTree::hide_by_block(const Block& block, Shaft& shaft) {
   const auto reach = [&](const Points& n) { return dot(absolute(n), half); };
   Mask8 met = planes.depth > 0 && dot(planes.plane, centre) + reach(planes.plane) > planes.depth;
   for (const Points& edge : planes.edges)
-    met = met &&
-          dot(edge, centre) - reach(edge) <= kTolerance * dot(absolute(edge), size);
+    met = met && dot(edge, centre) - reach(edge) <= kTolerance * dot(absolute(edge), size);
   for (unsigned bits = to_bits(met); bits != 0; bits &= bits - 1) {
     if (shaft.steps-- == 0) return false;
     shaft.hide(planes, std::countr_zero(bits));

@@ -40,8 +40,7 @@ inline float light_sample_weight(const DirectQuery& query, const Vec3& wi, float
 inline Rgb one_direction(const DirectQuery& query, const Vec3& wi, const Rgb& f_cos, float visible,
                          float pdf_w) {
   if (query.directions != nullptr)
-    query.directions->push_back(
-        {wi, query.light.Le * (visible / pdf_w), query.light_pmf * pdf_w});
+    query.directions->push_back({wi, query.light.Le * (visible / pdf_w), query.light_pmf * pdf_w});
   return query.light.Le * f_cos * (visible * light_sample_weight(query, wi, pdf_w) / pdf_w);
 }
 

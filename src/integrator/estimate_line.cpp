@@ -10,8 +10,7 @@ namespace {
 // The parts of the chord that lie above the vertex's horizons and are not hidden from it.
 IntervalSet visible_parts(const Vertex& v, const AreaLight& light, const Chord& chord,
                           const SeenChord& seen, Visibility& visibility) {
-  const Interval above =
-      seen.above_horizon(v.shading.z, seen.above_horizon(v.ng, Interval{0, 1}));
+  const Interval above = seen.above_horizon(v.shading.z, seen.above_horizon(v.ng, Interval{0, 1}));
   if (!(above.length() > 0)) return IntervalSet(Interval{0, 0});
   return visibility.visible_part(v, chord, above, light);
 }
@@ -46,8 +45,8 @@ Rgb one_point(const DirectQuery& query, int direction, Visibility& visibility) {
   for (const Interval& part : parts.intervals()) visible += sample->share(part);
   const Vec3 q = sample->chord.at(sample->parameter(parts.intervals(), query.u.y));
   const Vec3 wi = normalize(q - v.position);
-  const float pdf_w = sample->solid_angle > 0 ? 1 / sample->solid_angle
-                                              : area_pdf_w(query.light, v.position, q);
+  const float pdf_w =
+      sample->solid_angle > 0 ? 1 / sample->solid_angle : area_pdf_w(query.light, v.position, q);
   if (!(pdf_w > 0 && std::isfinite(pdf_w))) return Rgb(0.0f);
   return one_direction(query, wi, reflected(v, wi), visible, pdf_w);
 }

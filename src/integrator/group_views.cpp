@@ -42,8 +42,8 @@ void GroupViews::see(const Vertex& y) {
     const Vec3 wi = d / std::sqrt(distance2);
     const float cos_y = -dot(wi, ng);
     const Vec3 nx = first_.ns.at(k);
-    const float above = std::min(std::min(cos_y, -dot(wi, ns)),
-                                 std::min(dot(wi, nx), dot(wi, first_.ng.at(k))));
+    const float above =
+        std::min(std::min(cos_y, -dot(wi, ns)), std::min(dot(wi, nx), dot(wi, first_.ng.at(k))));
     Lobe l = diffuse_lobe(dot(wi, nx));
     if constexpr (kAnyGgx)
       l = lobe(first_.ggx[k], first_.alpha2[k], first_.schlick[k], nx, first_.wo.at(k), wi);
@@ -85,9 +85,8 @@ void GroupViews::ask_each(const Vec3& from, std::array<std::int32_t, kMaxLanes>&
     for (int i = 0; i < 8; ++i)
       if (wanted[begin + i] != 0) bits |= 1u << i;
     if (bits == 0) continue;
-    const unsigned hidden =
-        visibility.occluded8(from, &first_.origin.x[begin], &first_.origin.y[begin],
-                             &first_.origin.z[begin], bits);
+    const unsigned hidden = visibility.occluded8(
+        from, &first_.origin.x[begin], &first_.origin.y[begin], &first_.origin.z[begin], bits);
     for (int i = 0; i < 8; ++i)
       if ((hidden >> i) & 1) wanted[begin + i] = 0;
   }

@@ -7,7 +7,8 @@
 
 namespace raytracing {
 
-/// Light that leaves y for all its viewers: f_y(w) light / sum over k of p_k (light_pdf + bsdf p_b).
+/// Light that leaves y for all its viewers: f_y(w) light / sum over k of p_k (light_pdf + bsdf
+/// p_b).
 struct Term {
   Vec3 wi;
   Rgb light;
@@ -22,7 +23,8 @@ class GroupViews {
   void begin(std::size_t n);
   void set_first(std::size_t k, const Vertex& x);
 
-  /// The first vertices look at the second vertex y. The bounce of number `owner` has arrived there.
+  /// The first vertices look at the second vertex y. The bounce of number `owner` has arrived
+  /// there.
   void look_at(const Vertex& y, std::size_t owner, Visibility& visibility);
   /// The light of a diffuse y to all that see it.
   void add_diffuse(const Rgb& light);

@@ -46,8 +46,7 @@ inline std::optional<Hit> hit_of_bounce(const Ray& ray, Visibility& visibility) 
 
 /// What a vertex that lies on a light emits to the viewer, as far as it is counted here. Without a
 /// bounce the viewer is the camera.
-Rgb emission(const Scene& scene, const DirectMethod& method, const Vertex& v,
-             const Bounce* bounce);
+Rgb emission(const Scene& scene, const DirectMethod& method, const Vertex& v, const Bounce* bounce);
 
 /// The estimate of direct light at the vertex of number `depth`. `directions`, where given, are
 /// cleared, and receive those of a vertex that is not diffuse.

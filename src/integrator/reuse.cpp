@@ -53,8 +53,8 @@ void first_hits(std::span<const SharedPath> paths, Visibility& visibility,
 // One vertex and its bounce, as shade() has them; what they carry to the viewer without sharing.
 // Returns the first vertex, which is at `hit`, or nothing where the camera ray meets none.
 std::optional<Vertex> start(const Scene& scene, const ShadeOptions& options,
-                            const std::optional<Hit>& hit, SharedPath& path,
-                            Visibility& visibility, PathLog& log) {
+                            const std::optional<Hit>& hit, SharedPath& path, Visibility& visibility,
+                            PathLog& log) {
   log.steps.clear();
   path.radiance = Rgb(0.0f);
   path.second.reset();
@@ -76,8 +76,8 @@ std::optional<Vertex> start(const Scene& scene, const ShadeOptions& options,
   const Rgb met = scattered->weight * emission(scene, *options.method, *path.second, &bounce);
   path.radiance += met;
   if (!is_black(met))
-    log.steps.push_back({path.second->position, path.second->ng, scattered->weight, met,
-                         Rgb(0.0f), path.second->light, 0});
+    log.steps.push_back({path.second->position, path.second->ng, scattered->weight, met, Rgb(0.0f),
+                         path.second->light, 0});
   return x;
 }
 
@@ -137,10 +137,10 @@ void PathGroup::shade(std::span<SharedPath> paths, Visibility& visibility, PathL
     } else {
       s.walk_log.steps.assign(1, {});
       Vertex v = y;
-      s.terms.assign(1, {Vec3(0.0f),
-                         walk(scene_, options_, v, 1, Rgb(0.0f), paths[j].sampler, visibility,
-                              s.walk_log),
-                         1, 0});
+      s.terms.assign(
+          1, {Vec3(0.0f),
+              walk(scene_, options_, v, 1, Rgb(0.0f), paths[j].sampler, visibility, s.walk_log), 1,
+              0});
       if (is_black(s.terms[0].light)) continue;
     }
     if (s.terms.empty()) continue;
@@ -151,8 +151,7 @@ void PathGroup::shade(std::span<SharedPath> paths, Visibility& visibility, PathL
     if (!is_black(light))
       log.steps.push_back({y.position, y.ng, Rgb(0.0f), Rgb(0.0f), light, kNone, 0});
   }
-  for (std::size_t k = 0; k < paths.size(); ++k)
-    paths[k].radiance += s.views.gathered(k);
+  for (std::size_t k = 0; k < paths.size(); ++k) paths[k].radiance += s.views.gathered(k);
 }
 
 }  // namespace raytracing

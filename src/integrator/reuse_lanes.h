@@ -70,12 +70,10 @@ inline Lobe lobe(float is_ggx, float alpha2, float is_schlick, const Vec3& n, co
   const float stretched_i = std::sqrt(alpha2 + (1 - alpha2) * square(cos_i));
   const float c = std::max(1 - std::sqrt(length2) / 2, 0.0f);
   const float pdf_w = distribution / (2 * (cos_o + stretched_o));
-  const float value =
-      distribution * 0.5f * cos_i / (cos_i * stretched_o + cos_o * stretched_i);
+  const float value = distribution * 0.5f * cos_i / (cos_i * stretched_o + cos_o * stretched_i);
   const bool ggx = is_ggx > 0;
   const float diffuse = cos_i * kInvPi;
-  return {ggx ? pdf_w : diffuse, ggx ? value : diffuse,
-          is_schlick * square(square(c)) * c};
+  return {ggx ? pdf_w : diffuse, ggx ? value : diffuse, is_schlick * square(square(c)) * c};
 }
 
 /// Sum of the first n lanes, in one fixed order.

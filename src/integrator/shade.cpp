@@ -24,9 +24,7 @@ constexpr std::uint32_t kRouletteDepth = 4;
 // probability of about (1 + n / 200)^-4. A fixed bound c would do that too, but its weights grow
 // like c^-n, and their variance is infinite where a bounce keeps more than sqrt(c) of the light.
 // These grow more slowly than any loss takes away.
-float largest_survival(std::uint32_t depth) {
-  return 1 - 4 / (200 + static_cast<float>(depth));
-}
+float largest_survival(std::uint32_t depth) { return 1 - 4 / (200 + static_cast<float>(depth)); }
 
 }  // namespace
 
@@ -36,8 +34,7 @@ Rgb emission(const Scene& scene, const DirectMethod& method, const Vertex& v,
   const AreaLight& light = scene.lights()[v.light];
   if (bounce == nullptr) return light.Le;
   if (!bounce->counted) return Rgb(0.0f);
-  const float light_pdf =
-      scene.light_pmf(v.light) * method.pdf_w(light, bounce->from, v.position);
+  const float light_pdf = scene.light_pmf(v.light) * method.pdf_w(light, bounce->from, v.position);
   return light.Le * balance_heuristic(bounce->pdf_w, light_pdf);
 }
 
@@ -49,8 +46,8 @@ Rgb direct_light(const Scene& scene, const ShadeOptions& options, const Vertex& 
   const auto chosen = scene.choose_light(sampler.pair(choice_pair(depth)).x);
   const AreaLight& light = scene.lights()[chosen.index];
   const std::uint32_t pair = light_pair(depth);
-  const DirectQuery query{v,    light,             chosen.pmf, sampler.pair(pair), sampler,
-                          pair, options.line_rays, directions};
+  const DirectQuery query{v,       light, chosen.pmf,        sampler.pair(pair),
+                          sampler, pair,  options.line_rays, directions};
   const Rgb reflected = options.method->estimate(query, visibility) * (1 / chosen.pmf);
   if (directions != nullptr)
     for (LightSample& sample : *directions) sample.light /= chosen.pmf;
@@ -62,8 +59,7 @@ Rgb walk(const Scene& scene, const ShadeOptions& options, Vertex& v, std::uint32
   Rgb throughput(1.0f);
   const std::uint32_t max_depth = options.max_depth.value_or(kUnlimited);
   for (; depth < max_depth; ++depth) {
-    const Rgb direct =
-        throughput * direct_light(scene, options, v, depth, sampler, visibility);
+    const Rgb direct = throughput * direct_light(scene, options, v, depth, sampler, visibility);
     radiance += direct;
     log.steps.back().direct = direct;
 

@@ -17,13 +17,14 @@ struct FixedSize {
   std::string_view type;
   std::size_t size;
 };
-constexpr FixedSize kFixedSizes[] = {
-    {"box2i", 16},   {"box2f", 16}, {"chromaticities", 32}, {"compression", 1},
-    {"double", 8},   {"envmap", 1}, {"float", 4},           {"int", 4},
-    {"keycode", 28}, {"m33f", 36},  {"m33d", 72},           {"m44f", 64},
-    {"m44d", 128},   {"v2i", 8},    {"v2f", 8},             {"v2d", 16},
-    {"v3i", 12},     {"v3f", 12},   {"v3d", 24},            {"lineOrder", 1},
-    {"rational", 8}, {"tiledesc", 9}, {"timecode", 8},      {"deepImageState", 1}};
+constexpr FixedSize kFixedSizes[] = {{"box2i", 16},      {"box2f", 16},    {"chromaticities", 32},
+                                     {"compression", 1}, {"double", 8},    {"envmap", 1},
+                                     {"float", 4},       {"int", 4},       {"keycode", 28},
+                                     {"m33f", 36},       {"m33d", 72},     {"m44f", 64},
+                                     {"m44d", 128},      {"v2i", 8},       {"v2f", 8},
+                                     {"v2d", 16},        {"v3i", 12},      {"v3f", 12},
+                                     {"v3d", 24},        {"lineOrder", 1}, {"rational", 8},
+                                     {"tiledesc", 9},    {"timecode", 8},  {"deepImageState", 1}};
 
 [[noreturn]] void fail() { throw InputError("its header is cut off or contradicts itself"); }
 

@@ -19,9 +19,7 @@
 namespace raytracing {
 namespace {
 
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
+std::string reason(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void fail_input(const std::string& path, const std::string& why) {
   throw InputError(TextLocation{path}, why);
@@ -51,7 +49,7 @@ class Descriptor {
 // A target that could not be replaced is found out now, not after hours of rendering. Devices and
 // pipes are refused because the rename would put a file in their place.
 void check_target(const std::string& path) {
-  struct stat info{};
+  struct stat info {};
   if (::stat(path.c_str(), &info) != 0) {
     if (errno == ENOENT) return;
     fail_output(path, reason(errno));
@@ -90,7 +88,7 @@ std::string read_file(const std::string& path) {
   // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) fail_input(path, reason(errno));
-  struct stat info{};
+  struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail_input(path, reason(errno));
   if (S_ISDIR(info.st_mode)) fail_input(path, reason(EISDIR));
   if (!S_ISREG(info.st_mode)) fail_input(path, "not a regular file");

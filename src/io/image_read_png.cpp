@@ -133,8 +133,8 @@ std::vector<float> linear_values(const PngHeader& header, const std::vector<png_
   const std::size_t most = header.wide ? 65535 : 255;
   std::vector<float> linear(most + 1);
   for (std::size_t code = 0; code <= most; ++code)
-    linear[code] = static_cast<float>(
-        srgb_to_linear(static_cast<double>(code) / static_cast<double>(most)));
+    linear[code] =
+        static_cast<float>(srgb_to_linear(static_cast<double>(code) / static_cast<double>(most)));
   const std::size_t sample_bytes = header.wide ? 2 : 1;
   std::vector<float> values;
   values.reserve(bytes.size() / sample_bytes / 4 * 3);

@@ -30,11 +30,11 @@ class MtlParser {
  private:
   struct ColourKey {
     std::string_view key;
-    std::optional<Rgb> MtlMaterial::* field;
+    std::optional<Rgb> MtlMaterial::*field;
   };
   struct NumberKey {
     std::string_view key;
-    std::optional<float> MtlMaterial::* field;
+    std::optional<float> MtlMaterial::*field;
   };
   static constexpr ColourKey kColourKeys[] = {
       {"Kd", &MtlMaterial::Kd}, {"Ks", &MtlMaterial::Ks}, {"Ke", &MtlMaterial::Ke}};

@@ -9,9 +9,7 @@ namespace {
 constexpr float kDefaultRoughness = 0.5f;
 
 /// True for the illumination models that ask for mirrors or glass (3 to 9).
-bool asks_for_ray_tracing(int illum) {
-  return illum >= 3 && illum <= 9;
-}
+bool asks_for_ray_tracing(int illum) { return illum >= 3 && illum <= 9; }
 
 Rgb reflectance(const MtlMaterial& mtl, LoadReport& report) {
   if (!mtl.Kd) {

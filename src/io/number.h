@@ -17,9 +17,7 @@ struct ParsedNumber {
   NumberStatus status;
 };
 
-inline bool is_digit(char c) {
-  return static_cast<unsigned char>(c - '0') < 10;
-}
+inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
 /// Takes digits from the front of [at, end) and appends them to `value`, which wraps around when
 /// they are too many for it. Returns how many.
@@ -33,11 +31,11 @@ inline long take_digits(const char*& at, const char* end, std::uint64_t& value) 
     std::uint64_t word;
     std::memcpy(&word, at, 8);
     // A digit is 0x30 .. 0x39. A carry out of a byte reaches only bytes behind a byte that is none.
-    const std::uint64_t none = ((word & 0xf0f0f0f0f0f0f0f0u) ^ 0x3030303030303030u) |
-                               (((word + 0x0606060606060606u) & 0xf0f0f0f0f0f0f0f0u) ^
-                                0x3030303030303030u);
-    const int count = std::countr_zero(none) / 8;  // 8 when all are digits
-    const int half = 4 * (8 - count);  // shifting by 64 at once is not defined
+    const std::uint64_t none =
+        ((word & 0xf0f0f0f0f0f0f0f0u) ^ 0x3030303030303030u) |
+        (((word + 0x0606060606060606u) & 0xf0f0f0f0f0f0f0f0u) ^ 0x3030303030303030u);
+    const int count = std::countr_zero(none) / 8;           // 8 when all are digits
+    const int half = 4 * (8 - count);                       // shifting by 64 at once is not defined
     word = ((word & 0x0f0f0f0f0f0f0f0fu) << half) << half;  // zeros in front
     word = (word * (1 + (10 << 8)) >> 8) & 0x00ff00ff00ff00ffu;
     word = (word * (1 + (100 << 16)) >> 16) & 0x0000ffff0000ffffu;

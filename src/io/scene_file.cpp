@@ -62,8 +62,8 @@ void check_camera(const CameraDescription& description, int width, int height,
                   const TomlTable& table) {
   const Camera camera(description, width, height);
   for (const Vec2& corner : {Vec2(0, 0), Vec2(width, 0), Vec2(0, height), Vec2(width, height)}) {
-    const float squared = dot(camera.ray(corner.x, corner.y).direction,
-                              camera.ray(corner.x, corner.y).direction);
+    const float squared =
+        dot(camera.ray(corner.x, corner.y).direction, camera.ray(corner.x, corner.y).direction);
     if (!(squared > 0.99f && squared < 1.01f))
       throw table.error("target", "no camera rays can be computed from these numbers");
   }

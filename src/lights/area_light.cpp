@@ -115,8 +115,7 @@ float solid_angle_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q)
   const double solid_angle = light.rectangle
                                  ? SphericalRectangle(*light.rectangle, from).solid_angle()
                                  : FanSolidAngles(light, from).sum;
-  return is_usable(solid_angle) ? static_cast<float>(1 / solid_angle)
-                                : area_pdf_w(light, from, q);
+  return is_usable(solid_angle) ? static_cast<float>(1 / solid_angle) : area_pdf_w(light, from, q);
 }
 
 }  // namespace raytracing

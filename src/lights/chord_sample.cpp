@@ -30,8 +30,7 @@ WeightedChord angular_chord(const Rectangle& r, const Vec3& from, float u) {
   const float height = std::abs(dot(d, cross(r.x, r.y))), height2 = height * height;
   const float r0 = std::sqrt(height2 + x0 * x0), r1 = std::sqrt(height2 + x1 * x1);
   // Tangents of a half and a quarter of the whole angle.
-  const float half =
-      height * r.width / (height2 + plus_product_of_roots(height2, x0, x1, r0 * r1));
+  const float half = height * r.width / (height2 + plus_product_of_roots(height2, x0, x1, r0 * r1));
   const float quarter = half / (1 + std::sqrt(1 + half * half));
   const float t = (2 * u - 1) * quarter;
   // The direction of the middle, (height, x) up to a factor, turned by phi.
@@ -62,8 +61,7 @@ std::optional<WeightedChord> sample_whole_chord(const AreaLight& light, const Ve
                                                 int direction, float u) {
   if (!light.faces(from)) return std::nullopt;
   if (!light.rectangle) return chord_by_area(light, direction, u);
-  const WeightedChord result =
-      angular_chord(along_chords(*light.rectangle, direction), from, u);
+  const WeightedChord result = angular_chord(along_chords(*light.rectangle, direction), from, u);
   // In the light's own plane, but for rounding, there is no density.
   if (!(result.pdf_u > 0 && std::isfinite(result.pdf_u))) return std::nullopt;
   return result;
@@ -96,8 +94,8 @@ float ChordSample::parameter(std::span<const Interval> parts, float x) const {
         std::sqrt(line_distance2 / std::max((1 - t) * (1 + t), std::numeric_limits<double>::min()));
     t = (t * root - begin) / static_cast<double>(chord.length);
   }
-  return static_cast<float>(std::clamp(t, static_cast<double>(parts[i].begin),
-                                       static_cast<double>(parts[i].end)));
+  return static_cast<float>(
+      std::clamp(t, static_cast<double>(parts[i].begin), static_cast<double>(parts[i].end)));
 }
 
 std::optional<ChordSample> sample_chord(const AreaLight& light, const Vec3& from, int direction,

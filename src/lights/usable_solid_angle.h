@@ -6,8 +6,6 @@ namespace raytracing {
 /// uniform in solid angle, and cheaper. Above the upper one, which a point reaches at some 1e-5
 /// sizes from the light, the rounding of the light's plane leaves the angle itself open (2 pi is
 /// that of the plane).
-constexpr bool is_usable(double solid_angle) {
-  return solid_angle > 3e-3 && solid_angle < 6.2831;
-}
+constexpr bool is_usable(double solid_angle) { return solid_angle > 3e-3 && solid_angle < 6.2831; }
 
 }  // namespace raytracing

@@ -8,8 +8,8 @@ namespace raytracing {
 
 static_assert(square(PixelGroups::kMaxEdge) == PathGroup::kMaxPaths);
 
-PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed,
-                         std::uint64_t sample, std::uint64_t replicate)
+PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed, std::uint64_t sample,
+                         std::uint64_t replicate)
     : width_(width), height_(height), edge_(edge), stride_(stride(edge)) {
   std::uint64_t key = mix_bits(seed + 0x632be59bd9b4e019u);
   key = mix_bits(key ^ sample);
@@ -20,8 +20,8 @@ PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed,
 }
 
 PixelGroups::Pixel PixelGroups::turn(int cell_x, int cell_y) const {
-  const std::uint64_t cell = std::uint64_t{static_cast<std::uint32_t>(cell_y)} << 32 |
-                             static_cast<std::uint32_t>(cell_x);
+  const std::uint64_t cell =
+      std::uint64_t{static_cast<std::uint32_t>(cell_y)} << 32 | static_cast<std::uint32_t>(cell_x);
   const std::uint64_t bits = mix_bits(key_ ^ mix_bits(cell));
   const auto cell_edge = static_cast<std::uint64_t>(stride_);
   return {static_cast<int>((bits & 0xffffffffu) % cell_edge),

@@ -211,8 +211,8 @@ class Job {
 
 }  // namespace
 
-RenderResult render(const Scene& scene, const RenderOptions& options,
-                    const std::atomic<bool>& stop, const ProgressCallback& progress) {
+RenderResult render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
+                    const ProgressCallback& progress) {
   RenderResult result(Film(options.width, options.height));
   const auto start = std::chrono::steady_clock::now();
   Job job(scene, options, stop, progress, result);

@@ -14,8 +14,8 @@ constexpr double kSteps = 0x1p24;
 
 }  // namespace
 
-// The borders between the choices are whole steps too. Each positive weight gets one step for itself,
-// which no rounding takes, and its share of the rest.
+// The borders between the choices are whole steps too. Each positive weight gets one step for
+// itself, which no rounding takes, and its share of the rest.
 DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const auto positive = static_cast<double>(

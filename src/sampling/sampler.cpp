@@ -100,8 +100,7 @@ void PathSampler::make_sobol(const Scrambles& scrambles) {
 
 PathSampler PixelSampler::path(std::uint32_t x, std::uint32_t y, std::uint64_t sample,
                                std::uint64_t replicate) {
-  if (kind_ == SamplerKind::independent)
-    return PathSampler(kind_, seed_, x, y, sample, replicate);
+  if (kind_ == SamplerKind::independent) return PathSampler(kind_, seed_, x, y, sample, replicate);
   const std::uint64_t epoch = PathSampler::epoch(kind_, sample, replicate);
   if (empty_ || x != x_ || y != y_ || epoch != epoch_) {
     key_ = PathSampler::make_key(seed_, x, y, epoch);

@@ -72,8 +72,7 @@ SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& f
 }
 
 bool SphericalRectangle::needs_double() const {
-  const double beside2 =
-      square(std::max({0.0, x0_, -x1_})) + square(std::max({0.0, y0_, -y1_}));
+  const double beside2 = square(std::max({0.0, x0_, -x1_})) + square(std::max({0.0, y0_, -y1_}));
   return !(solid_angle_ > kFloatLow && solid_angle_ < kFloatHigh &&
            beside2 < square(kFloatBeside * z0_));
 }

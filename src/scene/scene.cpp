@@ -41,7 +41,7 @@ Scene::Scene(Builder&& b, int threads, bool with_occluders)
   std::vector<std::uint32_t> light_of_triangle;
   for (const TriangleRecord& t : triangles_) light_of_triangle.push_back(t.light);
   occluders_ = OccluderTree(geometry_.positions(), geometry_.triangles(), light_of_triangle,
-                                geometry_.spheres(), threads);
+                            geometry_.spheres(), threads);
 }
 
 bool Scene::faces_anything(const AreaLight& light) const {

@@ -67,23 +67,21 @@ std::optional<BiasEstimate> estimate_bias(const SeedMoments& moments, const Refe
     return d * d - moments.variance_of_mean(i) - reference.variance[i];
   };
   BiasEstimate bias;
-  bias.squared = pixel_mean(counted, [&](std::size_t i) {
-    return mean_of_channels(squared_bias(i));
-  });
+  bias.squared =
+      pixel_mean(counted, [&](std::size_t i) { return mean_of_channels(squared_bias(i)); });
   bias.relative_squared = pixel_mean(counted, [&](std::size_t i) {
     return mean_of_channels(squared_bias(i) * relative_weight(r[i]));
   });
-  const Estimate d = pixel_mean(counted, [&](std::size_t i) {
-    return mean_of_channels(difference(i));
-  });
+  const Estimate d =
+      pixel_mean(counted, [&](std::size_t i) { return mean_of_channels(difference(i)); });
   const double mean =
       pixel_mean(counted, [&](std::size_t i) { return mean_of_channels(r[i]); }).value;
   if (mean > 0) bias.mean_ratio = {d.value / mean, d.standard_error / mean};
-  bias.detected = bias.relative_squared.value >
-                      kOneSidedHalfPercent * bias.relative_squared.standard_error +
-                          kRounding * kRounding ||
-                  std::abs(bias.mean_ratio.value) >
-                      kTwoSidedHalfPercent * bias.mean_ratio.standard_error + kRounding;
+  bias.detected =
+      bias.relative_squared.value >
+          kOneSidedHalfPercent * bias.relative_squared.standard_error + kRounding * kRounding ||
+      std::abs(bias.mean_ratio.value) >
+          kTwoSidedHalfPercent * bias.mean_ratio.standard_error + kRounding;
   return bias;
 }
 

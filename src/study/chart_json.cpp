@@ -81,22 +81,26 @@ Json definitions() {
       {"smape", "mean over pixels and channels of |x-r| / (|x| + |r| + 0.01)"},
       {"corrected", "less noise_floor; not clamped, so that it may be negative"},
       {"seconds", "wall clock of the rendering, without loading the scene and writing the picture"},
-      {"above_floor", "the median of relmse_corrected is above twice the standard error of the "
-                      "floor; only such points go into fits, tables and front. Without a known "
-                      "floor relmse takes the place of relmse_corrected"},
-      {"fit", "least squares through (log spp or median seconds, log median error); 95 % interval "
-              "by Student's t with points-2 degrees of freedom, from the scatter of the medians "
-              "about the line"},
-      {"equal_time, equal_error", "interpolated between the medians in (log seconds, log error); "
-                                  "null outside of what was measured: nothing is extrapolated. "
-                                  "Seconds to an error are null, too, when the first point is "
-                                  "already below it"},
-      {"bias", "squared = mean of (X-r)^2 - S^2/N - V, with X the mean and S^2 the variance over "
-               "N seeds, r the reference, V its squared error; rms = sqrt(max(0, squared)). "
-               "relative_squared has the weights of relmse. mean_ratio_minus_1 = sum X / sum r "
-               "- 1. detected: relative_squared above 2.576 or mean_ratio_minus_1 beyond 2.807 "
-               "standard errors; an unbiased method has a chance of at most 1 in 100 of that. The "
-               "method's bias is that at the most spp"}};
+      {"above_floor",
+       "the median of relmse_corrected is above twice the standard error of the "
+       "floor; only such points go into fits, tables and front. Without a known "
+       "floor relmse takes the place of relmse_corrected"},
+      {"fit",
+       "least squares through (log spp or median seconds, log median error); 95 % interval "
+       "by Student's t with points-2 degrees of freedom, from the scatter of the medians "
+       "about the line"},
+      {"equal_time, equal_error",
+       "interpolated between the medians in (log seconds, log error); "
+       "null outside of what was measured: nothing is extrapolated. "
+       "Seconds to an error are null, too, when the first point is "
+       "already below it"},
+      {"bias",
+       "squared = mean of (X-r)^2 - S^2/N - V, with X the mean and S^2 the variance over "
+       "N seeds, r the reference, V its squared error; rms = sqrt(max(0, squared)). "
+       "relative_squared has the weights of relmse. mean_ratio_minus_1 = sum X / sum r "
+       "- 1. detected: relative_squared above 2.576 or mean_ratio_minus_1 beyond 2.807 "
+       "standard errors; an unbiased method has a chance of at most 1 in 100 of that. The "
+       "method's bias is that at the most spp"}};
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct Look {
   const char* colour;
   int mark;
 };
-constexpr std::array kLooks{Look{"#e69f00", 7}, Look{"#d55e00", 5},  Look{"#cc79a7", 8},
+constexpr std::array kLooks{Look{"#e69f00", 7},  Look{"#d55e00", 5}, Look{"#cc79a7", 8},
                             Look{"#56b4e9", 13}, Look{"#000000", 9}, Look{"#009e73", 11}};
 
 // A method looks the same in all charts.
@@ -62,9 +62,10 @@ std::string slope_guides(const ChartSummary& summary, bool over_time) {
     for (const ChartPoint& p : m.points) y.add(errors_of(summary, p).high);
   std::string text;
   for (const auto& [slope, dash] : {std::pair{"-1", 2}, std::pair{"-1.5", 4}})
-    text += fmt::format(", \\\n  {:.6g}*(x/{:.6g})**({}) with lines lw 1 dt {} lc rgb '#777777' "
-                        "title 'slope {}'", 1.5 * y.high, x_range(summary, over_time).low, slope,
-                        dash, slope);
+    text += fmt::format(
+        ", \\\n  {:.6g}*(x/{:.6g})**({}) with lines lw 1 dt {} lc rgb '#777777' "
+        "title 'slope {}'",
+        1.5 * y.high, x_range(summary, over_time).low, slope, dash, slope);
   return text;
 }
 
@@ -86,20 +87,23 @@ std::string plot_command(const ChartSummary& summary, bool over_time) {
   const int x = over_time ? 2 : 1;
   std::string text = "plot \\\n  ";
   if (summary.floor && summary.floor->relmse.value > 0)
-    text += fmt::format("{:.6g} with filledcurves y1=bottom fc rgb '#999999' fs pattern 4 noborder "
-                        "title 'noise of the reference, {:.2g}', \\\n  ",
-                        std::max(summary.floor->relmse.value, plot_bottom(summary)),
-                        summary.floor->relmse.value);
+    text += fmt::format(
+        "{:.6g} with filledcurves y1=bottom fc rgb '#999999' fs pattern 4 noborder "
+        "title 'noise of the reference, {:.2g}', \\\n  ",
+        std::max(summary.floor->relmse.value, plot_bottom(summary)), summary.floor->relmse.value);
   for (std::size_t i = 0; i < summary.methods.size(); ++i)
-    text += fmt::format("'chart.dat' index {} using {}:6:7 with filledcurves fc rgb '{}' "
-                        "fs transparent solid 0.14 noborder notitle, \\\n  ",
-                        i, x, look_of(*summary.methods[i].method).colour);
+    text += fmt::format(
+        "'chart.dat' index {} using {}:6:7 with filledcurves fc rgb '{}' "
+        "fs transparent solid 0.14 noborder notitle, \\\n  ",
+        i, x, look_of(*summary.methods[i].method).colour);
   for (std::size_t i = 0; i < summary.methods.size(); ++i) {
     const DirectMethod& method = *summary.methods[i].method;
     const Look look = look_of(method);
-    text += fmt::format("{}'chart.dat' index {} using {}:5 with linespoints lw 2 ps 1.1 pt {} "
-                        "lc rgb '{}' title '{}{}'", i == 0 ? "" : ", \\\n  ", i, x, look.mark,
-                        look.colour, method.name, method.unbiased ? "" : " (biased)");
+    text += fmt::format(
+        "{}'chart.dat' index {} using {}:5 with linespoints lw 2 ps 1.1 pt {} "
+        "lc rgb '{}' title '{}{}'",
+        i == 0 ? "" : ", \\\n  ", i, x, look.mark, look.colour, method.name,
+        method.unbiased ? "" : " (biased)");
   }
   return text + slope_guides(summary, over_time) + "\n";
 }
@@ -121,8 +125,9 @@ set yrange [bottom:*]
 // On white, also where the page around is dark.
 constexpr const char* kTerminals[][2] = {
     {"svg", "set terminal svg size 960,640 font 'sans,14' background rgb 'white'"},
-    {"png", "set terminal pngcairo size 1440,960 font 'sans,19' linewidth 1.5 background rgb "
-            "'white'"}};
+    {"png",
+     "set terminal pngcairo size 1440,960 font 'sans,19' linewidth 1.5 background rgb "
+     "'white'"}};
 
 }  // namespace
 
@@ -163,15 +168,14 @@ std::string plot_script(const ChartSummary& summary, const std::string& title) {
                   summary.floor ? ", less the noise of the reference" : "", plot_bottom(summary));
   for (const bool over_time : {true, false}) {
     const Range x = x_range(summary, over_time);
-    text += fmt::format("\nset xlabel '{}'\nset xtics {}\n",
-                        over_time ? "render time of one picture, seconds (wall clock)"
-                                  : "samples per pixel",
-                        tics(summary, over_time));
+    text += fmt::format(
+        "\nset xlabel '{}'\nset xtics {}\n",
+        over_time ? "render time of one picture, seconds (wall clock)" : "samples per pixel",
+        tics(summary, over_time));
     text += fmt::format("set xrange [{:.6g}:{:.6g}]\n", x.low / 1.1, 1.1 * x.high);
     for (const auto& [extension, terminal] : kTerminals)
       text += fmt::format("{}\nset output 'error_vs_{}.{}'\n{}unset output\n", terminal,
-                          over_time ? "time" : "spp", extension,
-                          plot_command(summary, over_time));
+                          over_time ? "time" : "spp", extension, plot_command(summary, over_time));
   }
   return text;
 }

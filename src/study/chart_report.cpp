@@ -63,8 +63,7 @@ ReportPicture picture_of(const MethodSummary& method, double seconds, const RunL
 }
 
 std::vector<ReportPicture> pictures(const ChartSummary& summary, const RunLog& log,
-                                    const Reference& reference,
-                                    const PixelMask& counted) {
+                                    const Reference& reference, const PixelMask& counted) {
   std::vector<ReportPicture> result;
   for (const MethodSummary& method : summary.methods)
     result.push_back(picture_of(method, common_time(summary), log, reference, counted));
@@ -94,9 +93,8 @@ std::vector<std::string> notes(const ChartSummary& summary) {
   std::vector<std::string> result;
   std::vector<double> times;  // at which all methods were measured
   for (const double seconds : summary.times)
-    if (std::all_of(summary.methods.begin(), summary.methods.end(), [seconds](const auto& m) {
-          return error_at(m.curve, seconds).has_value();
-        }))
+    if (std::all_of(summary.methods.begin(), summary.methods.end(),
+                    [seconds](const auto& m) { return error_at(m.curve, seconds).has_value(); }))
       times.push_back(seconds);
   if (!times.empty()) result.push_back(best_at(summary, times.front()));
   if (times.size() > 1) result.push_back(best_at(summary, times.back()));

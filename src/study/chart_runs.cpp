@@ -123,10 +123,11 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
     }
     const double affordable =
         (seconds / elapsed() - 1) * static_cast<double>(halves[0].spp);  // spp, of each half
-    chunk.spp = affordable < kFirstChunk
-                    ? 0
-                    : std::min(2 * chunk.spp, std::bit_floor(static_cast<std::uint64_t>(
-                                                  std::min(affordable, 1e15))));
+    chunk.spp =
+        affordable < kFirstChunk
+            ? 0
+            : std::min(2 * chunk.spp,
+                       std::bit_floor(static_cast<std::uint64_t>(std::min(affordable, 1e15))));
   }
   const auto picture = [&](const Half& half) {
     return to_picture(settings.width, settings.height, half.mean());
@@ -155,10 +156,9 @@ bool make_runs(const Scene& scene, const ChartSettings& settings,
   }
   for (const PlannedRun& run : missing) {
     const RenderResult result =
-        render(scene, run_options(settings, run), stop,
-               [&](std::uint64_t samples, std::uint64_t) {
-                 if (progress) progress(done + samples, total);
-               });
+        render(scene, run_options(settings, run), stop, [&](std::uint64_t samples, std::uint64_t) {
+          if (progress) progress(done + samples, total);
+        });
     if (!result.complete) return false;
     done += run.spp * pixels;
     const ImageData picture = run_picture(settings, run, result);

@@ -50,12 +50,12 @@ std::string depth_text(const std::optional<std::uint32_t>& max_depth) {
 }
 
 std::string chart_title(const ChartSettings& settings) {
-  return fmt::format(
-      "{}, {}x{}, {}", std::filesystem::path(settings.scene_path).stem().string(), settings.width,
-      settings.height,
-      !settings.max_depth         ? "all bounces"
-      : settings.max_depth == 1u ? "direct light only"
-                                 : fmt::format("at most {} surfaces", *settings.max_depth));
+  return fmt::format("{}, {}x{}, {}", std::filesystem::path(settings.scene_path).stem().string(),
+                     settings.width, settings.height,
+                     !settings.max_depth ? "all bounces"
+                     : settings.max_depth == 1u
+                         ? "direct light only"
+                         : fmt::format("at most {} surfaces", *settings.max_depth));
 }
 
 ImageMetadata common_metadata(const ChartSettings& settings) {
@@ -99,8 +99,10 @@ void claim_folder(const std::string& folder, const nlohmann::ordered_json& setti
   for (const auto& [key, value] : settings.items()) {
     const auto other = found.value(key, nlohmann::ordered_json());
     if (other != value)
-      throw InputError(fmt::format("{}: made with {} {}, not {}; choose another --out, or remove "
-                                   "this one", path, key, other.dump(), value.dump()));
+      throw InputError(
+          fmt::format("{}: made with {} {}, not {}; choose another --out, or remove "
+                      "this one",
+                      path, key, other.dump(), value.dump()));
   }
 }
 

@@ -28,7 +28,8 @@ std::vector<std::string> with_methods(const std::string& first, const ChartSumma
 
 ReportTable equal_time(const ChartSummary& summary) {
   ReportTable table{"relMSE at equal time; -: not measured there, nothing is extrapolated",
-                    with_methods("seconds", summary), {}};
+                    with_methods("seconds", summary),
+                    {}};
   for (const double seconds : summary.times) {
     auto& row = table.rows.emplace_back(1, fmt::format("{:.3g}", seconds));
     for (const MethodSummary& m : summary.methods) row.push_back(cell(error_at(m.curve, seconds)));
@@ -38,7 +39,8 @@ ReportTable equal_time(const ChartSummary& summary) {
 
 ReportTable equal_error(const ChartSummary& summary) {
   ReportTable table{"Seconds to an error; -: not reached, or below it from the first point on",
-                    with_methods("relMSE", summary), {}};
+                    with_methods("relMSE", summary),
+                    {}};
   for (const double error : summary.errors) {
     auto& row = table.rows.emplace_back(1, fmt::format("{:.3g}", error));
     for (const MethodSummary& m : summary.methods) row.push_back(cell(time_to(m.curve, error)));
@@ -57,7 +59,8 @@ std::vector<std::string> bias_cells(const std::optional<BiasEstimate>& bias) {
 ReportTable fits(const ChartSummary& summary) {
   ReportTable table{"Slopes of log relMSE, and bias at the most samples, with 95 % intervals",
                     {"method", "slope over spp", "slope over seconds", "relMSE of the bias",
-                     "mean less the reference's, %", "told from 0"}, {}};
+                     "mean less the reference's, %", "told from 0"},
+                    {}};
   for (const MethodSummary& m : summary.methods) {
     auto& row = table.rows.emplace_back();
     row = {std::string(m.method->name), slope_cell(m.over_spp), slope_cell(m.over_time)};
@@ -68,7 +71,8 @@ ReportTable fits(const ChartSummary& summary) {
 
 ReportTable pareto_front(const ChartSummary& summary) {
   ReportTable table{"Pareto front: no other measurement is better in both time and error",
-                    {"seconds", "relMSE", "method", "spp"}, {}};
+                    {"seconds", "relMSE", "method", "spp"},
+                    {}};
   for (const auto& [m, p] : summary.pareto_front) {
     const MethodSummary& method = summary.methods[m];
     const ChartPoint& point = method.points[p];
@@ -81,7 +85,8 @@ ReportTable pareto_front(const ChartSummary& summary) {
 ReportTable points(const ChartSummary& summary) {
   ReportTable table{"All measurements: median (least to largest) over the seeds",
                     {"method", "spp", "seconds", "relMSE as measured",
-                     "relMSE less the reference's noise", "SMAPE", "non-finite samples"}, {}};
+                     "relMSE less the reference's noise", "SMAPE", "non-finite samples"},
+                    {}};
   for (const MethodSummary& m : summary.methods)
     for (const ChartPoint& p : m.points)
       table.rows.push_back({std::string(m.method->name), std::to_string(p.spp), cell(p.seconds),

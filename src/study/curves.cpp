@@ -16,9 +16,8 @@ double log_interpolated(double x, double x0, double y0, double x1, double y1) {
 }  // namespace
 
 std::vector<CurvePoint> by_time(std::vector<CurvePoint> points) {
-  std::stable_sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
-    return a.seconds < b.seconds;
-  });
+  std::stable_sort(points.begin(), points.end(),
+                   [](const CurvePoint& a, const CurvePoint& b) { return a.seconds < b.seconds; });
   return points;
 }
 

@@ -34,8 +34,8 @@ struct Sums {
 
 void check_same_size(const ImageData& test, const ImageData& reference) {
   if (test.width != reference.width || test.height != reference.height)
-    throw InputError(fmt::format("different sizes: {}x{} and {}x{} pixels", test.width,
-                                 test.height, reference.width, reference.height));
+    throw InputError(fmt::format("different sizes: {}x{} and {}x{} pixels", test.width, test.height,
+                                 reference.width, reference.height));
 }
 
 void check_mask_size(const PixelMask& mask, std::size_t pixels) {
@@ -90,9 +90,7 @@ PixelMask read_mask(const std::string& path, int width, int height) {
   return result;
 }
 
-std::string relmse_formula() {
-  return fmt::format("mean of (x-r)^2 / (r^2 + {})", kRelMseEpsilon);
-}
+std::string relmse_formula() { return fmt::format("mean of (x-r)^2 / (r^2 + {})", kRelMseEpsilon); }
 
 PixelMask to_mask(const ImageData& mask) {
   const RgbView view(mask);

@@ -24,7 +24,8 @@ constexpr int kNarrowest = 160;  // where the formula fits
 class Canvas {
  public:
   Canvas(int width, int height)
-      : width_(width), height_(height),
+      : width_(width),
+        height_(height),
         pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kBackground) {}
 
   void set(int x, int y, const Rgb& colour) {
@@ -67,8 +68,11 @@ struct Legend {
   int scale, margin, bar, tick, height;
 
   explicit Legend(int width)
-      : scale(std::max(1, (width + 200) / 400)), margin(16 * scale), bar(10 * scale),
-        tick(3 * scale), height(bar + 6 * tick + 2 * kGlyphHeight * scale) {}
+      : scale(std::max(1, (width + 200) / 400)),
+        margin(16 * scale),
+        bar(10 * scale),
+        tick(3 * scale),
+        height(bar + 6 * tick + 2 * kGlyphHeight * scale) {}
 };
 
 void draw_legend(Canvas& canvas, const Legend& legend, int top, int width,

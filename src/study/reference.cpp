@@ -32,9 +32,7 @@ std::vector<DVec3> variance_layers(const ImageData& picture) {
   return variance;
 }
 
-bool is_variance(const DVec3& v) {
-  return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
-}
+bool is_variance(const DVec3& v) { return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
 bool has_replicates(const ImageData& picture) {
   const std::string replicates = header_text(picture, "replicates");
@@ -151,8 +149,8 @@ Reference read_reference(const std::string& path, const ReferenceTerms& terms) {
   const std::string seed = header_text(picture, "seed");
   for (const std::uint64_t other : terms.seeds)
     if (seed == std::to_string(other))
-      throw InputError(fmt::format("{}: not a reference: its seed {} is that of a test run", path,
-                                   seed));
+      throw InputError(
+          fmt::format("{}: not a reference: its seed {} is that of a test run", path, seed));
   return reference;
 }
 

@@ -9,8 +9,8 @@ namespace raytracing {
 std::span<const StressCase> stress_cases() {
   static const std::vector<StressCase> all = [] {
     std::vector<StressCase> cases;
-    for (auto* make : {stress::light_cases, stress::occluder_cases, stress::surface_cases,
-                       stress::scene_cases})
+    for (auto* make :
+         {stress::light_cases, stress::occluder_cases, stress::surface_cases, stress::scene_cases})
       for (StressCase& c : make()) cases.push_back(std::move(c));
     return cases;
   }();

@@ -23,8 +23,7 @@ StressScene aspect(float ratio) {
 StressScene distance(float d) {
   const float near = std::min(d, 1.0f);
   Maker maker(kGrey, kView, std::min(0.01f, 0.2f * d));
-  maker.add_light(
-      parallelogram({0.113f, 0.043f, d}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
+  maker.add_light(parallelogram({0.113f, 0.043f, d}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
   const Vec3 target = kPoint + Vec3(0.1f * near, 0.05f * near, d);
   maker.add_occluder(edge_occluder(d / 2, target, 0.5f, 0.01f * near, 0.5f));
   return maker.scene;
@@ -54,8 +53,8 @@ std::vector<StressCase> light_cases() {
        settings({1, 10, 100, 1e3, 1e4, 1e5}, aspect)},
       {"light-distance", kFamily, "distance in lengths of the light, in a penumbra", kLambert,
        settings({1e-4, 1e-3, 0.01, 0.1, 1, 10, 100, 1e3, 1e4}, distance)},
-      {"grazing-light", kFamily, "distance from the plane of a light beside the receiver",
-       kLambert, settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, grazing)},
+      {"grazing-light", kFamily, "distance from the plane of a light beside the receiver", kLambert,
+       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, grazing)},
       {"horizon", kFamily, "share of the light's height that is above the horizon", kLambert,
        settings({1, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, horizon)},
       {"light-corner", kFamily, "distance of the receiver from a corner of the light", kLambert,

@@ -35,8 +35,8 @@ StressScene blinds(float count) {
   const float pitch = 2 / count;
   for (int i = 0; i < n; ++i) {
     const float at = (static_cast<float>(i) + 0.5f) * pitch - 1;
-    maker.add_occluder(parallelogram(Vec3(0.06f, 0.02f, 0.5f) + (at + 0.3f * pitch) * across,
-                                     along, 0.25f * pitch * across));
+    maker.add_occluder(parallelogram(Vec3(0.06f, 0.02f, 0.5f) + (at + 0.3f * pitch) * across, along,
+                                     0.25f * pitch * across));
   }
   return maker.scene;
 }
@@ -106,8 +106,10 @@ StressScene degenerate(float level) {
   }
   if (is(3)) {
     const Vec3 on_edge = 0.5f * (square[0] + square[1]);
-    maker.add_black_faces({{square[0], square[1], on_edge}, {middle, middle, square[0]},
-                           {middle, middle, middle}, {kCenter, kCenter, kCenter},
+    maker.add_black_faces({{square[0], square[1], on_edge},
+                           {middle, middle, square[0]},
+                           {middle, middle, middle},
+                           {kCenter, kCenter, kCenter},
                            {kPoint, kPoint, kCenter}});
     maker.add_faces({{kCenter, kCenter, kPoint}}, maker.add_surface(kGrey, 1));
   }
@@ -135,8 +137,7 @@ std::vector<StressCase> occluder_cases() {
        settings({1, 10, 100, 1e3, 1e4, 1e5}, needles)},
       {"tessellation", kFamily, "triangles of the occluder", kLambert,
        settings({100, 1e3, 1e4, 1e5, 1e6}, tessellation)},
-      {"degenerate", kFamily, "faces that a mesh should not have", kLambert,
-       degenerate_settings()},
+      {"degenerate", kFamily, "faces that a mesh should not have", kLambert, degenerate_settings()},
   };
 }
 

@@ -34,8 +34,7 @@ StressScene many_lights(float count) {
   for (int i = 0; i < n; ++i) {
     const float x = (static_cast<float>(i % columns) + 0.5f) * pitch - 1;
     const float y = (static_cast<float>(i / columns) + 0.5f) * pitch - 1;
-    maker.add_light(parallelogram({x, y, 1.0f}, {pitch / 4, 0.0f, 0.0f},
-                                  {0.0f, pitch / 4, 0.0f}));
+    maker.add_light(parallelogram({x, y, 1.0f}, {pitch / 4, 0.0f, 0.0f}, {0.0f, pitch / 4, 0.0f}));
   }
   maker.add_occluder(edge_occluder(0.5f, {0.113f, 0.043f, 1.0f}, 0.5f));
   return maker.scene;

@@ -36,8 +36,7 @@ StressScene terminator(float degrees) {
   const float angle = degrees * 3.14159265f / 180;
   Maker maker{Maker::Empty{}};
   const std::uint32_t surface = maker.add_surface(kGrey);
-  maker.add_faces({{{-0.02f, -0.02f, 0.0f}, {0.03f, -0.02f, 0.0f}, {0.01f, 0.03f, 0.0f}}},
-                  surface);
+  maker.add_faces({{{-0.02f, -0.02f, 0.0f}, {0.03f, -0.02f, 0.0f}, {0.01f, 0.03f, 0.0f}}}, surface);
   PolygonMesh& mesh = maker.scene.scene.meshes.back();
   mesh.normals = {{std::sin(angle), 0.0f, std::cos(angle)}};
   for (PolygonMesh::Corner& corner : mesh.corners) corner.normal = 0;
@@ -77,7 +76,8 @@ std::vector<StressCase> surface_cases() {
        settings({0.5, 0.1, 0.01, 1e-3, 1e-4}, grazing_view)},
       {"terminator", kFamily, "angle between geometric and shading normal, degrees",
        "Lambert's formula with the shading normal; light under either horizon is lost, by "
-       "convention", settings({0, 10, 30, 60, 80}, terminator)},
+       "convention",
+       settings({0, 10, 30, 60, 80}, terminator)},
       {"albedo", kFamily, "reflectance of a closed room that emits 1, all bounces",
        "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
        settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},

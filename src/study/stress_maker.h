@@ -78,8 +78,8 @@ template <class Make>
 std::vector<StressSetting> settings(const std::vector<double>& values, const Make& make) {
   std::vector<StressSetting> result;
   for (const double value : values)
-    result.push_back({number_label(value), value,
-                      [make, value] { return make(static_cast<float>(value)); }});
+    result.push_back(
+        {number_label(value), value, [make, value] { return make(static_cast<float>(value)); }});
   return result;
 }
 

@@ -34,9 +34,8 @@ ReportTable verdict_table(const std::vector<StressTable>& tables) {
 ReportTable case_table(const StressTable& table) {
   ReportTable result{fmt::format("{}: {}. Truth: {}.", table.stress_case->name,
                                  table.stress_case->parameter, table.stress_case->truth),
-                     {"setting", "method", "truth", "bias", "± standard error", "z",
-                      "RMSE, N = 64", "largest sample / truth", "not finite", "ns / sample",
-                      "verdict"},
+                     {"setting", "method", "truth", "bias", "± standard error", "z", "RMSE, N = 64",
+                      "largest sample / truth", "not finite", "ns / sample", "verdict"},
                      {}};
   for (const StressCell* c : table.cells)
     result.rows.push_back(

@@ -14,17 +14,19 @@ namespace {
 // The colours' range, log10 of the relative RMSE.
 constexpr double kLow = -4, kHigh = 0.5;
 
-double colour(double rmse) {
-  return rmse > 0 ? std::clamp(std::log10(rmse), kLow, kHigh) : kLow;
-}
+double colour(double rmse) { return rmse > 0 ? std::clamp(std::log10(rmse), kLow, kHigh) : kLow; }
 
 // Nothing where the method holds; capitals for what is wrong, not only noisy.
 std::string mark(Verdict verdict) {
   switch (verdict) {
-    case Verdict::holds: return "";
-    case Verdict::noisy: return "noisy";
-    case Verdict::biased: return "BIASED";
-    case Verdict::broken: break;
+    case Verdict::holds:
+      return "";
+    case Verdict::noisy:
+      return "noisy";
+    case Verdict::biased:
+      return "BIASED";
+    case Verdict::broken:
+      break;
   }
   return "BROKEN";
 }
@@ -57,10 +59,10 @@ std::string overview_block(const std::vector<StressTable>& tables) {
         rmse = std::max(rmse, tables[t].at(s, m).relative_rmse());
       const Verdict worst = tables[t].worst(m);
       const std::string where =
-          worst == Verdict::holds ? ""
-                                  : fmt::format("{} {}/{}", mark(worst),
-                                                tables[t].with(m, worst).size(),
-                                                tables[t].settings());
+          worst == Verdict::holds
+              ? ""
+              : fmt::format("{} {}/{}", mark(worst), tables[t].with(m, worst).size(),
+                            tables[t].settings());
       text += row(m, t, rmse, where);
     }
   return text;
@@ -124,12 +126,14 @@ unset key
 
 // Both kinds of file, on white, also where the page around is dark.
 std::string draw(const std::string& name, int width, int height, const std::string& commands) {
-  std::string text = fmt::format("\nset terminal svg size {},{} font 'sans,12' background rgb "
-                                 "'white'\nset output '{}.svg'\n{}unset output\n",
-                                 width, height, name, commands);
-  return text + fmt::format("set terminal pngcairo size {},{} font 'sans,12' background rgb "
-                            "'white'\nset output '{}.png'\n{}unset output\n",
-                            width, height, name, commands);
+  std::string text = fmt::format(
+      "\nset terminal svg size {},{} font 'sans,12' background rgb "
+      "'white'\nset output '{}.svg'\n{}unset output\n",
+      width, height, name, commands);
+  return text + fmt::format(
+                    "set terminal pngcairo size {},{} font 'sans,12' background rgb "
+                    "'white'\nset output '{}.png'\n{}unset output\n",
+                    width, height, name, commands);
 }
 
 // The picture of the case's family, once: cases of a family follow one another.

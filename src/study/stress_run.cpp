@@ -84,8 +84,8 @@ void measure(const Subject& subject, std::uint64_t first, std::uint64_t count, S
       pixels.push_back(sum / kStressSpp);
     }
   cell.pixels = pixels.size();
-  cell.nanoseconds = 1e9 * (thread_cpu_seconds() - start) /
-                     static_cast<double>(kStressSpp * pixels.size());
+  cell.nanoseconds =
+      1e9 * (thread_cpu_seconds() - start) / static_cast<double>(kStressSpp * pixels.size());
   cell.largest_share = total > 0 ? cell.largest_sample / total : 0;
   cell.dark_pixels = dark / static_cast<double>(pixels.size());
   set_moments(pixels, cell);
@@ -175,10 +175,14 @@ bool do_jobs(std::vector<Job>& jobs, const StressPlan& plan, double critical_z,
 
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {
-    case Verdict::holds: return "holds";
-    case Verdict::noisy: return "noisy";
-    case Verdict::biased: return "biased";
-    case Verdict::broken: break;
+    case Verdict::holds:
+      return "holds";
+    case Verdict::noisy:
+      return "noisy";
+    case Verdict::biased:
+      return "biased";
+    case Verdict::broken:
+      break;
   }
   return "broken";
 }

@@ -200,8 +200,14 @@ double ggx_radiance(std::span<const LPolygon> pieces, const LVec3& p, const DVec
     integrands.push_back({DVec3(p), n, wo, DVec3(normalize(area_vector(piece))), alpha});
     const DVec3 apex(peak(piece, p, mirror));
     for (std::size_t i = 0; i < piece.size(); ++i) {
-      Cell cell{.a = apex, .b = DVec3(piece[i]), .c = DVec3(piece[(i + 1) % piece.size()]),
-                .s0 = 0, .s1 = 1, .t0 = 0, .t1 = 1, .f = &integrands.back()};
+      Cell cell{.a = apex,
+                .b = DVec3(piece[i]),
+                .c = DVec3(piece[(i + 1) % piece.size()]),
+                .s0 = 0,
+                .s1 = 1,
+                .t0 = 0,
+                .t1 = 1,
+                .f = &integrands.back()};
       // Down to the lobe's size from the start: a lobe that no node meets tells of no error.
       for (; cell.s1 > 0.1 * alpha; cell.s1 = cell.s0) {
         cell.s0 = cell.s1 / 8;

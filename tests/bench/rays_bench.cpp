@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "raytracing/integrator/direct_method.h"
 #include "raytracing/integrator/visibility.h"
 #include "raytracing/io/scene_file.h"
-#include "raytracing/integrator/direct_method.h"
 #include "raytracing/lights/chord_sample.h"
 #include "raytracing/sampling/warp.h"
 #include "raytracing/scene/camera.h"

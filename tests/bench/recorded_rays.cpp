@@ -37,13 +37,13 @@ void record(RTCScene scene, const RTCRay8& r, const int* valid, RecordedRay::Kin
     auto kind = k == 0 ? packet : RecordedRay::Kind::member;
     float far = r.tfar[k];
     if (valid[k] == 0) {
-      if (k == 0) far = -1;
-      else kind = RecordedRay::Kind::absent;
+      if (k == 0)
+        far = -1;
+      else
+        kind = RecordedRay::Kind::absent;
     }
-    recording->rays.push_back({{r.org_x[k], r.org_y[k], r.org_z[k]},
-                               kind,
-                               {r.dir_x[k], r.dir_y[k], r.dir_z[k]},
-                               far});
+    recording->rays.push_back(
+        {{r.org_x[k], r.org_y[k], r.org_z[k]}, kind, {r.dir_x[k], r.dir_y[k], r.dir_z[k]}, far});
   }
 }
 

@@ -84,11 +84,12 @@ void measure(const std::string& name, int reuse) {
 }  // namespace raytracing
 
 int main() {
-  fmt::print("Render time over the time of Embree alone for the same rays: {0}x{0} pixels, {1} "
-             "spp, {2} threads; medians of {3} rounds in turns.\n\n"
-             "| scene | reuse | million rays | render s | replay s | ratio (range) |\n"
-             "|---|---|---|---|---|---|\n",
-             raytracing::kSize, raytracing::kSpp, raytracing::kThreads, raytracing::kRounds);
+  fmt::print(
+      "Render time over the time of Embree alone for the same rays: {0}x{0} pixels, {1} "
+      "spp, {2} threads; medians of {3} rounds in turns.\n\n"
+      "| scene | reuse | million rays | render s | replay s | ratio (range) |\n"
+      "|---|---|---|---|---|---|\n",
+      raytracing::kSize, raytracing::kSpp, raytracing::kThreads, raytracing::kRounds);
   for (const char* scene : {"cornell", "glossy", "teapot_diffuse"})
     for (const int reuse : {1, 16}) raytracing::measure(scene, reuse);
 }

@@ -13,8 +13,16 @@ namespace {
 
 /// A small chart of two methods, with more options.
 Names arguments(const Names& more) {
-  Names result{"chart", kCornell, "--out=c", "--width=12", "--height=12", "--max-depth=1",
-               "--methods=point,line", "--spp=1,2,4", "--seeds=3", "--reference-time=0.01"};
+  Names result{"chart",
+               kCornell,
+               "--out=c",
+               "--width=12",
+               "--height=12",
+               "--max-depth=1",
+               "--methods=point,line",
+               "--spp=1,2,4",
+               "--seeds=3",
+               "--reference-time=0.01"};
   for (const std::string& m : more) {
     const std::string name = m.substr(0, m.find('='));
     std::erase_if(result, [&](const std::string& r) { return r.starts_with(name + "="); });
@@ -26,9 +34,7 @@ Names arguments(const Names& more) {
 class ChartCommand : public ::testing::Test {
  protected:
   RunResult chart(const Names& more = {}) const { return at_.run(arguments(more)); }
-  bool exists(const std::string& name) const {
-    return std::filesystem::exists(at_.folder / name);
-  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(at_.folder / name); }
   std::size_t pictures() const {
     std::size_t count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(at_.folder / "c/runs"))
@@ -101,7 +107,8 @@ TEST_F(ChartCommand, KeepsFinishedRunsWhenInterrupted) {
   EXPECT_EQ(run.exit_code, 130) << run.err;
   EXPECT_FALSE(run.killed);
   EXPECT_NE(run.err.find("stopped: finished runs are kept; the same command goes on\n"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   EXPECT_FALSE(exists("c/summary.json"));
   EXPECT_EQ(lines_of(at_.bytes("c/runs.csv")), 1 + pictures());
   EXPECT_GE(pictures(), 4u);
@@ -112,7 +119,8 @@ TEST_F(ChartCommand, KeepsFinishedRunsWhenInterrupted) {
 
 TEST_F(ChartCommand, TakesAFileAsReference) {
   ASSERT_EQ(at_.render({"--width=12", "--height=12", "--max-depth=1", "--spp=64", "-o", "r.exr"})
-                .exit_code, 0);
+                .exit_code,
+            0);
   const RunResult run = chart({"--reference=r.exr"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("warning: the reference's own noise is not known"), std::string::npos);
@@ -137,13 +145,15 @@ TEST_F(ChartCommand, TakesItsOwnReferenceAgain) {
 
 TEST_F(ChartCommand, RefusesWhatIsNoReference) {
   ASSERT_EQ(at_.render({"--width=12", "--height=12", "--max-depth=1", "-o", "biased.exr",
-                        "--light-sampling=line-ratio"}).exit_code, 0);
+                        "--light-sampling=line-ratio"})
+                .exit_code,
+            0);
   ASSERT_EQ(at_.render({"--max-depth=1", "-o", "small.exr"}).exit_code, 0);
   ASSERT_EQ(at_.render({"--width=12", "--height=12", "-o", "deep.exr"}).exit_code, 0);
-  for (const auto& [file, reason] :
-       {std::pair{"biased.exr", "its method line-ratio is biased"},
-        {"small.exr", "its size is 12x8, not 12x12"}, {"missing.exr", "missing.exr: "},
-        {"deep.exr", "its maximal depth is unlimited, not 1"}}) {
+  for (const auto& [file, reason] : {std::pair{"biased.exr", "its method line-ratio is biased"},
+                                     {"small.exr", "its size is 12x8, not 12x12"},
+                                     {"missing.exr", "missing.exr: "},
+                                     {"deep.exr", "its maximal depth is unlimited, not 1"}}) {
     const RunResult run = chart({std::string("--reference=") + file});
     EXPECT_EQ(run.exit_code, 3) << file;
     EXPECT_NE(run.err.find(reason), std::string::npos) << run.err;
@@ -159,15 +169,14 @@ TEST_F(ChartCommand, MasksChooseThePixels) {
   ASSERT_EQ(at_.render({"-o", "wrong.png", "--spp=1"}).exit_code, 0);
   const RunResult run = chart({"--mask=wrong.png", "--out=d"});
   EXPECT_EQ(run.exit_code, 3);
-  EXPECT_NE(run.err.find("wrong.png: 12x8 pixels, but the pictures have 12x12"),
-            std::string::npos);
+  EXPECT_NE(run.err.find("wrong.png: 12x8 pixels, but the pictures have 12x12"), std::string::npos);
 }
 
 TEST_F(ChartCommand, DrawsChartsWhereThereIsGnuplot) {
   const RunResult run = chart();
   const bool has_gnuplot = std::system("gnuplot --version >/dev/null 2>&1") == 0;
-  for (const char* name : {"c/error_vs_time.svg", "c/error_vs_time.png", "c/error_vs_spp.svg",
-                           "c/error_vs_spp.png"}) {
+  for (const char* name :
+       {"c/error_vs_time.svg", "c/error_vs_time.png", "c/error_vs_spp.svg", "c/error_vs_spp.png"}) {
     EXPECT_EQ(exists(name), has_gnuplot) << name;
     EXPECT_EQ(run.out.find(name) != std::string::npos, has_gnuplot) << name;
   }
@@ -181,7 +190,8 @@ TEST_F(ChartCommand, WithoutGnuplotAllElseIsWritten) {
   const RunResult run = run_any(command, options);
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.err.find("no charts drawn: gnuplot is missing (Debian: gnuplot-nox)"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   EXPECT_TRUE(exists("c/chart.gp"));
   EXPECT_TRUE(exists("c/report.html"));
   EXPECT_FALSE(exists("c/error_vs_time.svg"));

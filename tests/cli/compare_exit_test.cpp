@@ -61,8 +61,8 @@ TEST(CompareExit, PixelsMustCount) {
 
 TEST(CompareExit, ZScoresThatCannotBeAreToldBeforeAnythingIsWritten) {
   const OneChannelOff folder;
-  const RunResult run = folder.compare(
-      {"a.exr", "b.exr", "--diff", "d.png", "--z-scores", "z.exr", "--json", "j"});
+  const RunResult run =
+      folder.compare({"a.exr", "b.exr", "--diff", "d.png", "--z-scores", "z.exr", "--json", "j"});
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_EQ(lines_of(run.err), 1u) << run.err;
   EXPECT_EQ(run.out, "");
@@ -96,8 +96,7 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
             "to the true picture\n"},
            {"plain.exr", "alone.exr", ""},
            {"alike.exr", "plain.exr", "note: alike.exr: errors are alike\n"},
-           {"part.exr", "plain.exr",
-            "warning: part.exr: its rendering was stopped early\n"}}) {
+           {"part.exr", "plain.exr", "warning: part.exr: its rendering was stopped early\n"}}) {
     const RunResult run = folder.compare({a, b, "--max-relmse", "0"});
     EXPECT_EQ(run.exit_code, 0) << a << " " << b;
     EXPECT_EQ(run.err, notes) << a << " " << b;
@@ -121,7 +120,8 @@ TEST(CompareExit, RenderedPicturesCarryWhatTheNotesNeed) {
   const std::string notes = folder.compare({"a.exr", "b.exr"}).err;
   EXPECT_EQ(notes.substr(0, 41), "note: a.exr: made by the biased method li");
   EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 16 apart are alike"),
-            std::string::npos) << notes;
+            std::string::npos)
+      << notes;
 }
 
 TEST(CompareExit, BadPicturesEndWithThree) {
@@ -169,9 +169,10 @@ TEST(CompareExit, WrongUseEndsWithTwo) {
 
 TEST(CompareExit, OutputsThatCannotBeWrittenEndWithFour) {
   const OneChannelOff folder;
-  for (const std::vector<std::string>& outputs :
-       {std::vector<std::string>{"--json", "nope/j"}, {"--diff", "nope/d.png"},
-        {"--diff", "d.png", "--json", "nope/j"}, {"--json", "."}}) {
+  for (const std::vector<std::string>& outputs : {std::vector<std::string>{"--json", "nope/j"},
+                                                  {"--diff", "nope/d.png"},
+                                                  {"--diff", "d.png", "--json", "nope/j"},
+                                                  {"--json", "."}}) {
     std::vector<std::string> arguments = {"a.exr", "b.exr"};
     arguments.insert(arguments.end(), outputs.begin(), outputs.end());
     const RunResult run = folder.compare(arguments);

@@ -26,8 +26,8 @@ TEST(Compare, PrintsNumbersWithTheirFormulas) {
         "\nrelMSE            0.0412541  mean (x-r)^2 / (r^2 + 0.01)\n",
         "\nMAE               0.0833333  mean |x-r|\n",
         "\nPSNR                13.8021  10 log10(1 / MSE) dB, for a peak of 1\n",
-        "\nSMAPE             0.0551876  mean |x-r| / (|x| + |r| + 0.01)\n",
-        "\nFLIP ", "  mean LDR-FLIP, 67 pixels per degree, values cut off to 0..1, NaN to 0\n",
+        "\nSMAPE             0.0551876  mean |x-r| / (|x| + |r| + 0.01)\n", "\nFLIP ",
+        "  mean LDR-FLIP, 67 pixels per degree, values cut off to 0..1, NaN to 0\n",
         "\nmean ratio G              1  mean x / mean r\n",
         "\nmean ratio B           0.75  mean x / mean r\n",
         "\nlargest                 0.5  |x-r| of a channel, at pixel 1,0\n",
@@ -75,8 +75,7 @@ TEST(Compare, JsonSaysTheSame) {
 
 TEST(Compare, EqualPicturesHaveNoError) {
   const OneChannelOff folder;
-  const RunResult run =
-      folder.compare({"a.exr", "a.exr", "--max-relmse", "0", "--json", "c.json"});
+  const RunResult run = folder.compare({"a.exr", "a.exr", "--max-relmse", "0", "--json", "c.json"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("\nPSNR                    inf  "), std::string::npos) << run.out;
   EXPECT_TRUE(folder.json("c.json")["psnr"].is_null());
@@ -146,12 +145,12 @@ TEST(Compare, WritesTheErrorPicture) {
 TEST(Compare, VarianceLayersGiveZScores) {
   const CompareFolder folder;
   for (const auto& [name, seed] : {std::pair{"a.exr", "1"}, {"b.exr", "2"}})
-    ASSERT_EQ(folder.render({"--sampler", "independent", "--spp", "64", "--seed", seed,
-                             "--variance", "--reuse", "1", "-o", name})
+    ASSERT_EQ(folder
+                  .render({"--sampler", "independent", "--spp", "64", "--seed", seed, "--variance",
+                           "--reuse", "1", "-o", name})
                   .exit_code,
               0);
-  const RunResult run =
-      folder.compare({"a.exr", "b.exr", "--json", "j", "--z-scores", "z.exr"});
+  const RunResult run = folder.compare({"a.exr", "b.exr", "--json", "j", "--z-scores", "z.exr"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_EQ(read_image(folder.folder / "z.exr").values.size(), 12u * 8 * 3);

@@ -45,8 +45,9 @@ TEST(Effects, SettingsComeFromTheSceneUnlessGiven) {
   EXPECT_EQ(s["height"], 4);
   EXPECT_EQ(s["spp"], 3);
   EXPECT_EQ(s["light_sampling"], "point");
-  ASSERT_EQ(folder.run({"s.toml", "--stats", "s.json", "--width", "2", "--height", "6", "--spp",
-                        "9", "--light-sampling", "solid-angle"})
+  ASSERT_EQ(folder
+                .run({"s.toml", "--stats", "s.json", "--width", "2", "--height", "6", "--spp", "9",
+                      "--light-sampling", "solid-angle"})
                 .exit_code,
             0);
   const nlohmann::json t = folder.json("s.json");
@@ -92,8 +93,8 @@ TEST(Effects, EachReflectionAddsLight) {
 }
 
 TEST(Effects, ThreadsDoNotChangeABitOfThePicture) {
-  const std::vector<std::string> big{"--width", "50", "--height", "34", "--spp", "33",
-                                     "--variance", "--threads"};
+  const std::vector<std::string> big{"--width", "50", "--height",   "34",
+                                     "--spp",   "33", "--variance", "--threads"};
   const auto with = [&](const char* threads) {
     std::vector<std::string> options = big;
     options.push_back(threads);
@@ -147,8 +148,9 @@ TEST(Effects, VarianceOfReplicatesIsThatOfTheirMeans) {
   // With two replicates: mean m = (a + b) / 2 and variance of the mean ((a - b) / 2)^2. The first
   // replicate is the picture of half as many samples.
   const CliFolder folder;
-  ASSERT_EQ(folder.render({"-o", "two.exr", "--variance", "--spp", "10", "--replicates", "2",
-                           "--stats", "s.json"})
+  ASSERT_EQ(folder
+                .render({"-o", "two.exr", "--variance", "--spp", "10", "--replicates", "2",
+                         "--stats", "s.json"})
                 .exit_code,
             0);
   ASSERT_EQ(folder.render({"-o", "one.exr", "--spp", "5"}).exit_code, 0);
@@ -196,9 +198,9 @@ TEST(Effects, HeaderTellsWhetherPixelsAreIndependent) {
 
 TEST(Effects, ProgressLinesAreJsonAndNeverEndEarly) {
   const CliFolder folder;
-  const RunResult run = folder.render({"--progress", "jsonl", "--width", "100", "--height", "100",
-                                       "--spp", "128", "--reuse", "1", "--threads", "1", "-o",
-                                       "x.png"});
+  const RunResult run =
+      folder.render({"--progress", "jsonl", "--width", "100", "--height", "100", "--spp", "128",
+                     "--reuse", "1", "--threads", "1", "-o", "x.png"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out, "x.png\n");
   std::istringstream lines(run.err);
@@ -279,8 +281,8 @@ TEST(Effects, ReplayKnowsTheReplicates) {
   for (int x = 3; x < 9; ++x) {
     float sum = 0;
     for (const char* sample : {",5,0", ",5,1"}) {
-      const RunResult run = folder.render(
-          {"--quiet", "--replicates", "2", "--replay", std::to_string(x) + sample});
+      const RunResult run =
+          folder.render({"--quiet", "--replicates", "2", "--replay", std::to_string(x) + sample});
       const std::size_t at = run.out.find("\nradiance (");
       ASSERT_NE(at, std::string::npos) << run.out;
       float r = -1;

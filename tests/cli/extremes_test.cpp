@@ -25,8 +25,8 @@ const std::string kDown = "v -.5 .9 -.5\nv .5 .9 -.5\nv .5 .9 .5\nv -.5 .9 .5\nf
 
 std::string materials(const std::string& reflectance, const std::string& emission) {
   return "[materials.wall]\ntype = 'diffuse'\nreflectance = " + reflectance +
-         "\n[materials.light]\ntype = 'diffuse'\nreflectance = " + reflectance + "\nemission = " +
-         emission + "\n";
+         "\n[materials.light]\ntype = 'diffuse'\nreflectance = " + reflectance +
+         "\nemission = " + emission + "\n";
 }
 
 struct Extremes : ::testing::Test {
@@ -43,7 +43,8 @@ TEST_F(Extremes, AnEmptySceneIsBlackAndSaysSo) {
   const RunResult run = render(kCamera);
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.err.find("warning: the scene has no light; the picture will be black\n"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   for (const float value : read_image(at_.folder / "s.exr").values) EXPECT_EQ(value, 0);
 }
 
@@ -66,17 +67,18 @@ TEST_F(Extremes, FarFromTheOriginIsAsNear) {
   at_.folder.write("light.obj", kDown);
   ASSERT_EQ(render(kCamera + materials("0.5", "1") + kModel).exit_code, 0);
   const std::vector<float> near = read_image(at_.folder / "s.exr").values;
-  const std::string camera = "[film]\nwidth = 6\nheight = 6\n[camera]\norigin = "
-                             "[2097152,0,-1048576]\ntarget = [2097152,0.1,-1048577]\n";
+  const std::string camera =
+      "[film]\nwidth = 6\nheight = 6\n[camera]\norigin = "
+      "[2097152,0,-1048576]\ntarget = [2097152,0.1,-1048577]\n";
   const RunResult run =
       render(camera + materials("0.5", "1") + model("translate = [2097152, 0, -1048576]\n"));
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.err.find("warning: the scene lies so far from the origin of coordinates that they "
                          "are rounded to 0.2 of its half size; store it nearer\n"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   EXPECT_EQ(read_image(at_.folder / "s.exr").values, near);
-  const RunResult replay =
-      at_.run({"s.toml", "--spp=16", "--replay=3,3,0", "--quiet"});
+  const RunResult replay = at_.run({"s.toml", "--spp=16", "--replay=3,3,0", "--quiet"});
   EXPECT_NE(replay.out.find("vertex 1 at (209715"), std::string::npos) << replay.out;
 }
 

@@ -31,11 +31,11 @@ TEST(BadInput, ABrokenSceneIsToldWithItsPlace) {
   folder.folder.write("model.toml", camera + "[[models]]\nobj = 'broken.obj'\n");
   folder.folder.write("broken.obj", "v 0 0 0\nv 1 0 nan\n");
   folder.folder.write("missing.toml", camera + "[[models]]\nobj = 'nope.obj'\n");
-  for (const auto& [scene, place] : std::vector<std::pair<std::string, std::string>>{
-           {"syntax.toml", "syntax.toml:4:"},
-           {"key.toml", "key.toml:5:1: "},
-           {"model.toml", "broken.obj:2:7: "},
-           {"missing.toml", "missing.toml:5:7: "}}) {
+  for (const auto& [scene, place] :
+       std::vector<std::pair<std::string, std::string>>{{"syntax.toml", "syntax.toml:4:"},
+                                                        {"key.toml", "key.toml:5:1: "},
+                                                        {"model.toml", "broken.obj:2:7: "},
+                                                        {"missing.toml", "missing.toml:5:7: "}}) {
     const RunResult run = folder.run({scene, "-o", "x.png"});
     EXPECT_EQ(run.exit_code, 3) << scene;
     EXPECT_TRUE(run.err.starts_with("Raytracing: " + place)) << run.err;
@@ -57,7 +57,7 @@ TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
                       "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
                       "v -1 1 1\nf 1 2 3 4\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
   for (const std::string reuse : {"1", "16"}) {
-    const std::vector<std::string> lax = {"s.toml",  "--spp", "4",      "--stats",
+    const std::vector<std::string> lax = {"s.toml", "--spp",   "4",  "--stats",
                                           "s.json", "--reuse", reuse};
     const RunResult run = folder.run(lax);
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -75,9 +75,8 @@ TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
     const std::string line = run.err.substr(named, run.err.find('\n', named) - named);
     const std::string cause = line.substr(line.find('(') + 1, line.find(')') - line.find('(') - 1);
     const std::size_t sample = line.find("--replay ") + 9;
-    const RunResult replay = folder.run(
-        {"s.toml", "--spp", "4", "--reuse", reuse, "--replay",
-         line.substr(sample, line.find(' ', sample) - sample)});
+    const RunResult replay = folder.run({"s.toml", "--spp", "4", "--reuse", reuse, "--replay",
+                                         line.substr(sample, line.find(' ', sample) - sample)});
     EXPECT_NE(replay.out.find("not finite: " + cause + "\n"), std::string::npos) << replay.out;
     std::vector<std::string> strict = lax;
     strict.push_back("--strict");
@@ -117,14 +116,18 @@ RunResult long_render(const CliFolder& folder, std::vector<std::string> outputs)
 
 TEST(BadOutput, NeverReplacesAnInputOrAnotherOutput) {
   const CliFolder folder;
-  folder.folder.write("s.toml", "[camera]\norigin = [0,0,1]\ntarget = [0,0,0]\n[[models]]\n"
-                                "obj = 'm.obj'\n");
+  folder.folder.write("s.toml",
+                      "[camera]\norigin = [0,0,1]\ntarget = [0,0,0]\n[[models]]\n"
+                      "obj = 'm.obj'\n");
   folder.folder.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder.folder.write("m.mtl", "newmtl a\n");
   const Names before = folder.names();
-  for (const Names& outputs : {Names{"--stats", "s.toml"}, {"--stats", "./m.obj"},
-                               {"--stats", "m.mtl"}, {"-o", "a.png", "--stats", "./a.png"},
-                               {"-o", "a.png", "-o", "./a.png"}, {"--stats", "s.png"}}) {
+  for (const Names& outputs : {Names{"--stats", "s.toml"},
+                               {"--stats", "./m.obj"},
+                               {"--stats", "m.mtl"},
+                               {"-o", "a.png", "--stats", "./a.png"},
+                               {"-o", "a.png", "-o", "./a.png"},
+                               {"--stats", "s.png"}}) {
     Names arguments{"s.toml", "--quiet"};
     arguments.insert(arguments.end(), outputs.begin(), outputs.end());
     expect_one_line(folder.run(arguments), 2,
@@ -154,8 +157,10 @@ TEST(BadOutput, IsFoundBeforeRendering) {
            {"full.exr", "not a regular file"},
            {std::string(300, 'x') + ".png", "File name too long"}}) {
     for (const std::vector<std::string>& outputs :
-         {std::vector<std::string>{"-o", name}, {"-o", "x.png", "-o", name},
-          {"-o", name, "-o", "x.png", "--stats", "s.json"}, {"-o", "x.png", "--stats", name}}) {
+         {std::vector<std::string>{"-o", name},
+          {"-o", "x.png", "-o", name},
+          {"-o", name, "-o", "x.png", "--stats", "s.json"},
+          {"-o", "x.png", "--stats", name}}) {
       const RunResult run = long_render(folder, outputs);
       EXPECT_EQ(run.exit_code, 4) << name;
       EXPECT_TRUE(run.err.starts_with("Raytracing: " + name + ": cannot be written: " + reason))
@@ -180,11 +185,11 @@ TEST(BadOutput, AWriteThatFailsAtTheEndKeepsTheOldPicture) {
   folder.folder.write("x.exr", "old");
   RunOptions options;
   options.folder = folder.folder.path();
-  const RunResult run = run_any({"/bin/sh", "-c",
-                                 "trap '' XFSZ; ulimit -f 8; exec " +
-                                     std::string(RAYTRACING_PROGRAM) + " " + kCornell +
-                                     " --quiet --width 200 --height 100 --spp 1 -o x.exr"},
-                                options);
+  const RunResult run =
+      run_any({"/bin/sh", "-c",
+               "trap '' XFSZ; ulimit -f 8; exec " + std::string(RAYTRACING_PROGRAM) + " " +
+                   kCornell + " --quiet --width 200 --height 100 --spp 1 -o x.exr"},
+              options);
   expect_one_line(run, 4, "x.exr: cannot be written: File too large");
   EXPECT_EQ(folder.bytes("x.exr"), "old");
   EXPECT_EQ(folder.names(), Names{"x.exr"});

@@ -1,7 +1,7 @@
 // A scene far from the origin of coordinates, as users see it: pictures, replays, warnings.
 
-#include <gtest/gtest.h>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
@@ -22,8 +22,9 @@ std::string model(const DVec3& offset) {
                          DVec3(0.75, 1.25, 0.5), DVec3(-1, 1, 0.5), DVec3(-0.5, 3.75, -0.5),
                          DVec3(0.5, 3.75, -0.5), DVec3(0.5, 3.75, 0.5), DVec3(-0.5, 3.75, 0.5)})
     text += fmt::format("v {} {} {}\n", p.x + offset.x, p.y + offset.y, p.z + offset.z);
-  return text + "usemtl grey\nf 5 4 3 2\nf 2 3 7 6\nf 8 9 10\nf 8 10 11\n"
-                "usemtl lamp\nf 12 13 14 15\n";
+  return text +
+         "usemtl grey\nf 5 4 3 2\nf 2 3 7 6\nf 8 9 10\nf 8 10 11\n"
+         "usemtl lamp\nf 12 13 14 15\n";
 }
 const std::string kLibrary = "newmtl grey\nKd .6 .5 .4\nnewmtl lamp\nKd 0 0 0\nKe 6 6 6\n";
 const std::string kNarrow = "warning: a pixel is";
@@ -34,15 +35,15 @@ std::string scene(const DVec3& offset) {
     return fmt::format("[{}, {}, {}]", x + offset.x, y + offset.y, z + offset.z);
   };
   return "[film]\nwidth = 24\nheight = 24\n[camera]\norigin = " + place(0.25, 2.5, 6) +
-         "\ntarget = " + place(0, 1.5, 0) + "\n[[models]]\nobj = 'm.obj'\n"
+         "\ntarget = " + place(0, 1.5, 0) +
+         "\n[[models]]\nobj = 'm.obj'\n"
          "[materials.shiny]\ntype = 'ggx'\nroughness = 0.5\n[[spheres]]\n"
-         "center = " + place(1, 0.5, 1) + "\nradius = 0.5\nmaterial = 'shiny'\n";
+         "center = " +
+         place(1, 0.5, 1) + "\nradius = 0.5\nmaterial = 'shiny'\n";
 }
 
 struct FarScene : ::testing::Test {
-  void SetUp() override {
-    at.folder.write("m.mtl", kLibrary);
-  }
+  void SetUp() override { at.folder.write("m.mtl", kLibrary); }
   RunResult run(const DVec3& offset, std::vector<std::string> more) {
     at.folder.write("m.obj", model(offset));
     at.folder.write("s.toml", scene(offset));
@@ -135,24 +136,28 @@ TEST_F(FarScene, WarnsWhereItsOwnCoordinatesAreRounded) {
   const auto told = [&](const DVec3& offset) { return run(offset, {"-o", "s.png"}).err; };
   for (const DVec3& offset : {DVec3(0.0), DVec3(1000, 0, 0)})
     EXPECT_EQ(told(offset).find("warning"), std::string::npos) << told(offset);
-  EXPECT_NE(told({1e6, 0, 0}).find("warning: the scene lies so far from the origin of coordinates "
-                                   "that they are rounded to 0.03 of its half size; store it "
-                                   "nearer\n"),
-            std::string::npos) << told({1e6, 0, 0});
+  EXPECT_NE(told({1e6, 0, 0})
+                .find("warning: the scene lies so far from the origin of coordinates "
+                      "that they are rounded to 0.03 of its half size; store it "
+                      "nearer\n"),
+            std::string::npos)
+      << told({1e6, 0, 0});
 }
 
 // Seen from `distance` half sizes.
 std::string seen_from(double distance) {
   const double fov = 2 * std::atan(1.5 / distance) * 180 / std::acos(-1.0);
-  return fmt::format("[film]\nwidth = 24\nheight = 24\n[camera]\norigin = [{}, {}, {}]\n"
-                     "target = [0, 0, 0]\nfov = {}\n[[models]]\nobj = 'm.obj'\n",
-                     0.48 * distance, 0.36 * distance, 0.8 * distance, fov);
+  return fmt::format(
+      "[film]\nwidth = 24\nheight = 24\n[camera]\norigin = [{}, {}, {}]\n"
+      "target = [0, 0, 0]\nfov = {}\n[[models]]\nobj = 'm.obj'\n",
+      0.48 * distance, 0.36 * distance, 0.8 * distance, fov);
 }
 
 TEST_F(FarScene, WarnsOfACameraSoFarThatItsRaysAreRounded) {
   // A lone triangle that shines.
-  at.folder.write("m.obj", "mtllib m.mtl\nv -.9 -.2 -.8\nv .6 -.9 .1\nv .3 .8 .2\nusemtl lamp\n"
-                           "f 1 2 3\n");
+  at.folder.write("m.obj",
+                  "mtllib m.mtl\nv -.9 -.2 -.8\nv .6 -.9 .1\nv .3 .8 .2\nusemtl lamp\n"
+                  "f 1 2 3\n");
   const auto seen = [&](double distance, bool warns) {
     at.folder.write("s.toml", seen_from(distance));
     const RunResult run = at.run({"s.toml", "--spp=16", "--max-depth=1", "-o", "s.exr"});

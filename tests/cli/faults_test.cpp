@@ -59,9 +59,11 @@ TEST(Faults, MissingMaterialsAndTexturesAreTold) {
   const RunResult run = folder.run({"s.toml", "--spp=1"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_NE(run.err.find("m.obj:1:8: repaired: material library missing: 'no.mtl'\n"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   EXPECT_NE(run.err.find("repaired: material not defined: 'b c' (the first of 2)\n"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   EXPECT_NE(run.err.find("there.mtl:3:1: ignored: MTL key 'map_Kd'\n"), std::string::npos);
   EXPECT_EQ(folder.run({"s.toml", "--spp=1", "--strict"}).exit_code, 3);
   std::filesystem::create_directory(folder.folder / "no.mtl");
@@ -149,10 +151,10 @@ RunResult on_small_disk(const CliFolder& folder, const std::string& script) {
   RunOptions options;
   options.folder = folder.folder.path();
   const std::string own = ::geteuid() == 0 ? "unshare -m" : "unshare -rm";
-  return run_any({"/bin/sh", "-c",
-                  own + " true 2>/dev/null || exit 77; exec " + own + " /bin/sh -c \"$0\"",
-                  "mount -t tmpfs -o size=48k none full 2>/dev/null || exit 77\n" + script},
-                 options);
+  return run_any(
+      {"/bin/sh", "-c", own + " true 2>/dev/null || exit 77; exec " + own + " /bin/sh -c \"$0\"",
+       "mount -t tmpfs -o size=48k none full 2>/dev/null || exit 77\n" + script},
+      options);
 }
 
 TEST(Faults, ASmallDiskLeavesNothingNew) {
@@ -162,8 +164,9 @@ TEST(Faults, ASmallDiskLeavesNothingNew) {
   std::filesystem::create_directory(folder.folder / "full");
   const std::string render = kCornell + " --spp=1 --width=160 --height=160 --quiet -o ";
   for (const auto& [command, name] : std::vector<std::pair<std::string, std::string>>{
-           {render, "full/d.exr"}, {render, "full/d.png"}, {"compare a.exr b.exr --diff ",
-                                                            "full/d.exr"}}) {
+           {render, "full/d.exr"},
+           {render, "full/d.png"},
+           {"compare a.exr b.exr --diff ", "full/d.exr"}}) {
     const RunResult run = on_small_disk(
         folder, "printf old > " + name + "\n" RAYTRACING_PROGRAM " " + command + name +
                     " >/dev/null\ncode=$?\nls -A full\ncat " + name + "\nexit $code");

@@ -90,9 +90,9 @@ TEST(Interrupt, SignalsWhileWritingLeaveWholePictures) {
   const CliFolder folder;
   RunOptions options;
   options.folder = folder.folder.path();
-  const std::vector<std::string> arguments{
-      kCornell,        "--spp=1",         "--width=300",   "--height=300",
-      "--max-depth=1", "--output=x.exr", "--output=x.png"};
+  const std::vector<std::string> arguments{kCornell,        "--spp=1",       "--width=300",
+                                           "--height=300",  "--max-depth=1", "--output=x.exr",
+                                           "--output=x.png"};
   const RunResult whole = run_program(arguments, options);
   ASSERT_EQ(whole.exit_code, 0) << whole.err;
   options.signal = SIGTERM;

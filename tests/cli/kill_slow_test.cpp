@@ -13,8 +13,8 @@ namespace {
 
 TEST(Killed, LeavesACompletePictureOrNone) {
   const CliFolder folder;
-  const std::vector<std::string> arguments{kCornell, "--width=160", "--height=160", "--spp=1",
-                                           "--quiet", "-o", "x.exr"};
+  const std::vector<std::string> arguments{kCornell,  "--width=160", "--height=160", "--spp=1",
+                                           "--quiet", "-o",          "x.exr"};
   RunOptions options;
   options.folder = folder.folder.path();
   const double whole = run_program(arguments, options).seconds;

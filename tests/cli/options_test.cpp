@@ -17,13 +17,13 @@ namespace {
 
 /// A plausible value of each option of the contract; "" for those without a value.
 const std::map<std::string, std::string> kContract{
-    {"--scene", kCornell},     {"--output", "x.png"},   {"--width", "3"},
-    {"--height", "3"},         {"--variance", ""},      {"--spp", "1"},
-    {"--line-rays", "2"},      {"--max-depth", "1"},    {"--light-sampling", "point"},
-    {"--seed", "7"},           {"--threads", "2"},      {"--sampler", "independent"},
-    {"--stats", "x.json"},     {"--progress", "jsonl"}, {"--quiet", ""},
-    {"--strict", ""},          {"--replay", "0,0,0"},   {"--list-methods", ""},
-    {"--version", ""},         {"--help", ""},          {"--replicates", "1"},
+    {"--scene", kCornell}, {"--output", "x.png"},   {"--width", "3"},
+    {"--height", "3"},     {"--variance", ""},      {"--spp", "1"},
+    {"--line-rays", "2"},  {"--max-depth", "1"},    {"--light-sampling", "point"},
+    {"--seed", "7"},       {"--threads", "2"},      {"--sampler", "independent"},
+    {"--stats", "x.json"}, {"--progress", "jsonl"}, {"--quiet", ""},
+    {"--strict", ""},      {"--replay", "0,0,0"},   {"--list-methods", ""},
+    {"--version", ""},     {"--help", ""},          {"--replicates", "1"},
     {"--reuse", "1"},
 };
 
@@ -107,8 +107,8 @@ TEST(Options, ListOfMethodsIsTheTable) {
 TEST(Options, VersionNamesTheBuild) {
   const RunResult run = CliFolder().run({"--version"});
   EXPECT_EQ(run.exit_code, 0);
-  for (const char* part : {"Raytracing ", "build: ", "instruction set: ", "Embree", "OpenEXR",
-                           "OpenImageIO", "OBJ"})
+  for (const char* part :
+       {"Raytracing ", "build: ", "instruction set: ", "Embree", "OpenEXR", "OpenImageIO", "OBJ"})
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
 }
 
@@ -160,8 +160,9 @@ TEST(WrongOptions, Names) {
   for (const Wrong& wrong : std::vector<Wrong>{
            {{kCornell, "--light-sampling", "solid-angel"},
             "--light-sampling: 'solid-angel' is not point, solid-angle"},
-           {{kCornell, "--sampler", "Sobol"}, "--sampler: 'Sobol' is not sobol or independent; the "
-                                              "nearest is sobol\n"},
+           {{kCornell, "--sampler", "Sobol"},
+            "--sampler: 'Sobol' is not sobol or independent; the "
+            "nearest is sobol\n"},
            {{kCornell, "--progress", "json"},
             "--progress: 'json' is not auto, bar, jsonl or none; the nearest is jsonl\n"},
            {{kCornell, "--light-samplin", "point"},
@@ -226,8 +227,8 @@ TEST(Options, LeadingZerosAreDecimal) {
 
 TEST(Options, FullStandardOutputIsAnError) {
   for (const std::string option : {"--list-methods", "--help", "chart --help"}) {
-    const RunResult run = run_any(
-        {"/bin/sh", "-c", std::string(RAYTRACING_PROGRAM) + " " + option + " > /dev/full"});
+    const RunResult run =
+        run_any({"/bin/sh", "-c", std::string(RAYTRACING_PROGRAM) + " " + option + " > /dev/full"});
     EXPECT_EQ(run.exit_code, 4) << option;
     EXPECT_EQ(run.err, "Raytracing: standard output: cannot be written\n") << option;
   }

@@ -33,18 +33,20 @@ TEST(Outputs, AllAreWrittenAndToldOnStdout) {
 
 TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {
   const CliFolder folder;
-  ASSERT_EQ(folder.render({"--stats", "s.json", "-o", "x.exr", "--seed", "18446744073709551615",
-                           "--threads", "2", "--max-depth", "3", "--width", "40", "--reuse", "1"})
+  ASSERT_EQ(folder
+                .render({"--stats", "s.json", "-o", "x.exr", "--seed", "18446744073709551615",
+                         "--threads", "2", "--max-depth", "3", "--width", "40", "--reuse", "1"})
                 .exit_code,
             0);
   const nlohmann::json s = folder.json("s.json");
-  const std::set<std::string> contract{
-      "scene",          "light_sampling", "sampler",        "spp",           "width",
-      "height",         "max_depth",      "seed",           "threads",       "load_seconds",
-      "build_seconds",  "render_seconds", "cpu_seconds",    "paths",         "paths_per_second",
-      "rays_closest",   "rays_shadow",    "segment_queries", "shaft_queries",
-      "peak_rss_bytes",
-      "non_finite_samples", "mean_rgb", "replicates", "variance_kind"};
+  const std::set<std::string> contract{"scene",         "light_sampling", "sampler",
+                                       "spp",           "width",          "height",
+                                       "max_depth",     "seed",           "threads",
+                                       "load_seconds",  "build_seconds",  "render_seconds",
+                                       "cpu_seconds",   "paths",          "paths_per_second",
+                                       "rays_closest",  "rays_shadow",    "segment_queries",
+                                       "shaft_queries", "peak_rss_bytes", "non_finite_samples",
+                                       "mean_rgb",      "replicates",     "variance_kind"};
   for (const std::string& key : contract) EXPECT_TRUE(s.contains(key)) << key;
   EXPECT_EQ(s["scene"], kCornell);
   EXPECT_EQ(s["light_sampling"], "point");
@@ -89,11 +91,12 @@ TEST(Outputs, UnlimitedDepthIsNull) {
 
 TEST(Outputs, HeadersTellHowThePictureWasMade) {
   const CliFolder folder;
-  ASSERT_EQ(folder.render({"-o", "it's.exr", "-o", "x.png", "--seed", "42", "--threads", "2",
-                           "--max-depth", "3", "--light-sampling", "line-ratio", "--sampler",
-                           "independent"})
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      folder
+          .render({"-o", "it's.exr", "-o", "x.png", "--seed", "42", "--threads", "2", "--max-depth",
+                   "3", "--light-sampling", "line-ratio", "--sampler", "independent"})
+          .exit_code,
+      0);
   const std::string command = "Raytracing " + kCornell +
                               " --width=12 --height=8 --spp=2 -o 'it'\\''s.exr' -o x.png --seed 42"
                               " --threads 2 --max-depth 3 --light-sampling line-ratio"

@@ -37,14 +37,15 @@ TEST_F(StressCommand, LeavesATableHeatMapsAndAPage) {
 }
 
 TEST_F(StressCommand, WithoutGnuplotAllElseIsWritten) {
-  const Names command{"/usr/bin/env", "PATH=/nowhere", RAYTRACING_PROGRAM, "stress", "--out=s",
-                      "--case=terminator", "--seeds=1", "--methods=line"};
+  const Names command{"/usr/bin/env", "PATH=/nowhere",     RAYTRACING_PROGRAM, "stress",
+                      "--out=s",      "--case=terminator", "--seeds=1",        "--methods=line"};
   RunOptions options;
   options.folder = at_.folder.path();
   const RunResult run = run_any(command, options);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox)"),
-            std::string::npos) << run.err;
+            std::string::npos)
+      << run.err;
   EXPECT_TRUE(exists("s/stress.gp"));
   EXPECT_TRUE(exists("s/stress.html"));
   EXPECT_FALSE(exists("s/stress.svg"));
@@ -53,13 +54,15 @@ TEST_F(StressCommand, WithoutGnuplotAllElseIsWritten) {
 TEST_F(StressCommand, PicturesOfAnEarlierRunAreToldAndKept) {
   for (const char* name : {"s/stress_light.svg", "s/stress_surface.png", "s/stress_old.svg"})
     at_.folder.write(name, "old");
-  const Names run_without{"/usr/bin/env", "PATH=/nowhere", RAYTRACING_PROGRAM, "stress", "--out=s",
-                          "--case=terminator", "--seeds=1", "--methods=line", "--quiet"};
+  const Names run_without{"/usr/bin/env", "PATH=/nowhere",  RAYTRACING_PROGRAM,
+                          "stress",       "--out=s",        "--case=terminator",
+                          "--seeds=1",    "--methods=line", "--quiet"};
   RunOptions options;
   options.folder = at_.folder.path();
   const std::string told = run_any(run_without, options).err;
   EXPECT_NE(told.find("warning: s: left by an earlier run: stress_light.svg, stress_surface.png\n"),
-            std::string::npos) << told;
+            std::string::npos)
+      << told;
   if (std::system("gnuplot --version >/dev/null 2>&1") == 0) {
     EXPECT_EQ(stress({"--case=terminator", "--seeds=1", "--methods=line", "--quiet"}).err,
               "warning: s: left by an earlier run: stress_light.svg\n");
@@ -72,9 +75,9 @@ TEST_F(StressCommand, ASignalEndsItWithoutResults) {
   options.folder = at_.folder.path();
   options.signal = SIGINT;
   options.signal_when = "\"progress\":";
-  const RunResult run = run_program({"stress", "--out=s", "--case=terminator", "--seeds=40",
-                                     "--threads=1", "--progress=jsonl"},
-                                    options);
+  const RunResult run = run_program(
+      {"stress", "--out=s", "--case=terminator", "--seeds=40", "--threads=1", "--progress=jsonl"},
+      options);
   EXPECT_EQ(run.exit_code, 130);
   EXPECT_FALSE(run.killed);
   EXPECT_NE(run.err.find("stopped: nothing written\n"), std::string::npos) << run.err;
@@ -113,12 +116,12 @@ TEST_F(StressCommand, HelpNamesTheCases) {
 }
 
 TEST_F(StressCommand, RefusesWrongOptions) {
-  for (const auto& [options, message] : std::vector<std::pair<Names, std::string>>{
-           {{"--case=scales"}, "--case: 'scales' is not "},
-           {{"--methods=lime"}, "--methods: 'lime' is not"},
-           {{"--seeds=0"}, "--seeds: 0 is not in 1 .. "},
-           {{"--threads=0"}, "--threads: 0 is not in 1 .. "},
-           {{"more"}, "more: one argument too many"}}) {
+  for (const auto& [options, message] :
+       std::vector<std::pair<Names, std::string>>{{{"--case=scales"}, "--case: 'scales' is not "},
+                                                  {{"--methods=lime"}, "--methods: 'lime' is not"},
+                                                  {{"--seeds=0"}, "--seeds: 0 is not in 1 .. "},
+                                                  {{"--threads=0"}, "--threads: 0 is not in 1 .. "},
+                                                  {{"more"}, "more: one argument too many"}}) {
     const RunResult run = stress(options);
     EXPECT_EQ(run.exit_code, 2) << options[0];
     EXPECT_NE(run.err.find(message), std::string::npos) << run.err;

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "fuzz.h"
 #include "../../src/io/mtl_surface.h"
+#include "fuzz.h"
 #include "raytracing/io/mtl.h"
 #include "records.h"
 
@@ -29,8 +29,7 @@ void check_surface(const Surface& surface) {
 void check_counts(std::string_view text, std::size_t materials, const LoadReport& report) {
   auto records = count_records(text, {"newmtl"});
   require(records["newmtl"] ==
-              materials +
-                  count(report, LoadReport::Severity::warning, "material defined twice"),
+              materials + count(report, LoadReport::Severity::warning, "material defined twice"),
           "every newmtl is a material or told");
   for (const char* known : {"newmtl", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "Pr", "Pm", "illum"})
     records.erase(known);

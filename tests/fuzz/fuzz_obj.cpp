@@ -43,8 +43,8 @@ void check_counts(std::string_view text, const ObjModel& model, const LoadReport
   require(take("vp") == ignored("parameter-space vertex"), "every vp is counted");
   require(take("l") == ignored("line"), "every l is counted");
   require(take("p") == ignored("point"), "every p is counted");
-  require(take("mtllib") <= model.libraries.size() +
-                                count(report, Severity::warning, "mtllib without a name"),
+  require(take("mtllib") <=
+              model.libraries.size() + count(report, Severity::warning, "mtllib without a name"),
           "every mtllib is a library or told");
   for (const char* silent : {"g", "o", "s", "usemtl"}) take(silent);
   check_ignored(records, report, "unknown keyword");

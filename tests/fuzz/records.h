@@ -42,8 +42,7 @@ inline Records count_records(std::string_view text, const std::set<std::string>&
       } else if (c == '#') {
         const bool name = naming.contains(keyword);
         const char before = at > 0 ? all[at - 1] : '\n', next = all[at + 1];
-        comment = !name || ((blank(before) || line_end(before)) &&
-                            (blank(next) || line_end(next)));
+        comment = !name || ((blank(before) || line_end(before)) && (blank(next) || line_end(next)));
         if (keyword.empty()) comment = true;
       }
     }

@@ -104,12 +104,12 @@ TEST(EmbreeScene, OccludedLooksBetweenThePointsOnly) {
   EXPECT_TRUE(occluded(1, 3));
   EXPECT_TRUE(occluded(3, 1));
   EXPECT_TRUE(occluded(1.999f, 2.001f));
-  EXPECT_FALSE(occluded(0, 1.999f));      // before the triangle
+  EXPECT_FALSE(occluded(0, 1.999f));       // before the triangle
   EXPECT_FALSE(occluded(2.001f, 3.999f));  // between triangle and sphere
-  EXPECT_TRUE(occluded(3, 5));            // ends within the sphere
-  EXPECT_TRUE(occluded(5, 7));            // starts within it
-  EXPECT_FALSE(occluded(4.5f, 5.5f));     // both ends within it
-  EXPECT_FALSE(occluded(6.001f, 100));    // behind everything
+  EXPECT_TRUE(occluded(3, 5));             // ends within the sphere
+  EXPECT_TRUE(occluded(5, 7));             // starts within it
+  EXPECT_FALSE(occluded(4.5f, 5.5f));      // both ends within it
+  EXPECT_FALSE(occluded(6.001f, 100));     // behind everything
   EXPECT_FALSE(occluded(1, 1));
 }
 

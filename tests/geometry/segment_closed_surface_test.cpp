@@ -109,8 +109,7 @@ void expect_all(const IntervalSet& set) {
 TEST(SegmentQuery, EmptyScenesHideNothing) {
   expect_all(visible(OccluderTree(), kQuery));
   expect_all(visible(SegmentScene().build(), kQuery));
-  const IntervalSet part = OccluderTree().visible_part(kQuery.p, kQuery.a, kQuery.d,
-                                                            {0.25f, 0.5f});
+  const IntervalSet part = OccluderTree().visible_part(kQuery.p, kQuery.a, kQuery.d, {0.25f, 0.5f});
   EXPECT_EQ(part.hull().begin, 0.25f);
   EXPECT_EQ(part.hull().end, 0.5f);
 }
@@ -181,7 +180,7 @@ TEST(SegmentQuery, SegmentsWithoutAnAngleAreVisible) {
   add_tessellated_sphere(scene, {Vec3(0, 1, 0), 0.5f}, 2,
                          {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
   const OccluderTree tree = scene.build();
-  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0.0f)}));  // of no length
+  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0.0f)}));     // of no length
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0, 1, 0)}));  // in line with the point
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 0, 0), Vec3(0, 1, 0)}));
 }

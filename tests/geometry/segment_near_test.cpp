@@ -29,9 +29,9 @@ double exact_length(const SegmentScene& scene, const SegmentQuery& query) {
   return visible + 1 - end;
 }
 
-// A segment of length 1 at the distance h from p, and a rectangle of size 0.5 .. 2 between them. Its
-// corner lies near p, and one of its edges crosses the segment's plane and leads far from it, to the
-// one side or the other.
+// A segment of length 1 at the distance h from p, and a rectangle of size 0.5 .. 2 between them.
+// Its corner lies near p, and one of its edges crosses the segment's plane and leads far from it,
+// to the one side or the other.
 struct Near {
   SegmentScene scene;
   SegmentQuery query;
@@ -49,8 +49,8 @@ Near random_near(TestRandom& random, float h) {
 }
 
 // The mean error is 2e-8 for all h. Where edges meet the plane was first computed in the plane's
-// coordinates, with a mean error of 3.5e-9 / h; then in space, but without regard to which corner is
-// nearer, with a mean of 8e-7 and a worst error of 1e-3 for h = 1e-5.
+// coordinates, with a mean error of 3.5e-9 / h; then in space, but without regard to which corner
+// is nearer, with a mean of 8e-7 and a worst error of 1e-3 for h = 1e-5.
 TEST(SegmentQuery, KeepsItsDigitsHoweverNearTheSegmentIs) {
   for (const float h : {1e-1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f}) {
     TestRandom random(1);

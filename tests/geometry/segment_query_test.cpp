@@ -1,7 +1,6 @@
-#include "raytracing/geometry/occluder_tree.h"
-
 #include <gtest/gtest.h>
 
+#include "raytracing/geometry/occluder_tree.h"
 #include "raytracing/math/frame.h"
 #include "support/segment_reference.h"
 
@@ -53,9 +52,14 @@ TEST(SegmentQuery, EqualsALoopOverRandomTriangles) {
 
 TEST(SegmentQuery, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
   TestRandom random(2);
-  for (const auto& [scale, offset] :
-       {std::pair{1e-4f, 0.0f}, {1e-2f, 0.0f}, {1e2f, 0.0f}, {1e5f, 0.0f}, {1.0f, 1e4f},
-        {1e2f, 1e4f}, {1e-4f, 1e-2f}, {1e5f, 1e4f}}) {
+  for (const auto& [scale, offset] : {std::pair{1e-4f, 0.0f},
+                                      {1e-2f, 0.0f},
+                                      {1e2f, 0.0f},
+                                      {1e5f, 0.0f},
+                                      {1.0f, 1e4f},
+                                      {1e2f, 1e4f},
+                                      {1e-4f, 1e-2f},
+                                      {1e5f, 1e4f}}) {
     double worst = 0;
     for (int round = 0; round < 200; ++round) {
       const Vec3 at = offset * random.direction();
@@ -105,8 +109,8 @@ TEST(SegmentQuery, EqualsALoopOverTessellatedSpheres) {
 }
 
 // How far rays that disagree with the set are from any edge.
-double worst_ray(const SegmentScene& scene, const EmbreeScene& embree,
-                 const OccluderTree& tree, const SegmentQuery& q, int rays, int& hidden) {
+double worst_ray(const SegmentScene& scene, const EmbreeScene& embree, const OccluderTree& tree,
+                 const SegmentQuery& q, int rays, int& hidden) {
   const IntervalSet set = tree.visible_part(q.p, q.a, q.d, {0, 1});
   double worst = 0;
   for (int i = 0; i < rays; ++i) {
@@ -123,8 +127,7 @@ TEST(SegmentQuery, EqualsTenThousandRays) {
   int hidden = 0;
   for (int round = 0; round < 40; ++round) {
     SegmentScene scene = random_scene(random, 1 + random.bits() % 200, Vec3(0.0f), 1);
-    if (round % 2)
-      add_tessellated_sphere(scene, {random.in_cube(1), 0.5f}, 3, random_axes(random));
+    if (round % 2) add_tessellated_sphere(scene, {random.in_cube(1), 0.5f}, 3, random_axes(random));
     const EmbreeScene embree = scene.embree();
     const OccluderTree tree = scene.build();
     for (int i = 0; i < 4; ++i) {
@@ -185,8 +188,7 @@ TEST(SegmentQuery, LeavesOutTheSkippedGroup) {
   for (int round = 0; round < 500; ++round) {
     const SegmentScene scene = random_scene(random, 1 + random.bits() % 100, Vec3(0.0f), 1);
     std::vector<std::uint32_t> groups;
-    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-      {
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
       const auto group = static_cast<std::uint32_t>(random.bits() % 4);
       groups.push_back(group == 3 ? kNone : group);
     }

@@ -63,17 +63,16 @@ IntervalSet seen(const Sphere& sphere) {
 }
 
 TEST(SegmentSpheres, WholeAndNothing) {
-  const Sphere nothing[] = {{Vec3(0, 3, 0), 0.99f},       // behind the segment
-                            {Vec3(0, 3, 0), 0.25f},
-                            {Vec3(0, 1, 2), 1.9f},        // beside the plane
-                            {Vec3(0, -1, 0), 0.9f},       // behind the point
-                            {Vec3(2, 1, 0), 0.5f},        // beside the segment
-                            {Vec3(0, 1, 0), 3},           // around the point and the segment
+  const Sphere nothing[] = {{Vec3(0, 3, 0), 0.99f},                         // behind the segment
+                            {Vec3(0, 3, 0), 0.25f}, {Vec3(0, 1, 2), 1.9f},  // beside the plane
+                            {Vec3(0, -1, 0), 0.9f},                         // behind the point
+                            {Vec3(2, 1, 0), 0.5f},                          // beside the segment
+                            {Vec3(0, 1, 0), 3},  // around the point and the segment
                             {Vec3(0, 1, 0), 0}};
   for (const Sphere& sphere : nothing) EXPECT_EQ(seen(sphere).length(), 1) << sphere.radius;
   const Sphere all[] = {{Vec3(0, 1, 0), 0.9f},
-                        {Vec3(0.0f), 0.5f},               // around the point alone
-                        {Vec3(0, 2, 0), 1.5f}};           // around the segment alone
+                        {Vec3(0.0f), 0.5f},      // around the point alone
+                        {Vec3(0, 2, 0), 1.5f}};  // around the segment alone
   for (const Sphere& sphere : all) EXPECT_TRUE(seen(sphere).empty()) << sphere.radius;
 }
 

@@ -85,8 +85,8 @@ Bundle random_bundle(TestRandom& random, const Vec3& offset, float scale) {
 
 TEST(ShaftQuery, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
   TestRandom random(41);
-  for (const auto& [scale, offset] : {std::pair{1.0f, 0.0f}, {1e-4f, 0.0f}, {1e5f, 0.0f},
-                                      {1.0f, 1e4f}, {1e-4f, 1e-2f}}) {
+  for (const auto& [scale, offset] :
+       {std::pair{1.0f, 0.0f}, {1e-4f, 0.0f}, {1e5f, 0.0f}, {1.0f, 1e4f}, {1e-4f, 1e-2f}}) {
     double worst = 0;
     int seen = 0, hidden = 0;
     for (int round = 0; round < 1000; ++round) {
@@ -155,8 +155,7 @@ TEST(ShaftQuery, NothingShinesThroughClosedSurfaces) {
       for (int k = 0; k < b.count; ++k) {
         const auto& c = scene.triangles[random.bits() % scene.triangles.size()].corners;
         const float s = k % 2 == 0 ? 0 : random.unit();
-        const Vec3 aim =
-            (1 - s) * scene.positions[c[0]] + s * scene.positions[c[1]];
+        const Vec3 aim = (1 - s) * scene.positions[c[0]] + s * scene.positions[c[1]];
         b.set(k, b.p + (k % 4 < 2 ? 8.0f : 5.0f) * (aim - b.p));
       }
       ASSERT_TRUE(b.ask(tree));

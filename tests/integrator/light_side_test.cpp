@@ -107,9 +107,8 @@ TEST(LightSide, TwoLightsAddUp) {
       const double error = std::hypot(stats[1].standard_error(), stats[2].standard_error(),
                                       stats[3].standard_error());
       EXPECT_LT(error, 0.01 * stats[3].mean());
-      p_values.add(
-          std::string(method.name),
-          normal_p_value((stats[3].mean() - stats[1].mean() - stats[2].mean()) / error));
+      p_values.add(std::string(method.name),
+                   normal_p_value((stats[3].mean() - stats[1].mean() - stats[2].mean()) / error));
     }
   p_values.expect_all();
 }

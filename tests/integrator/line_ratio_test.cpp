@@ -101,8 +101,8 @@ TEST(LineRatio, IsUnbiasedWhereTheShadowEdgeRunsAlongTheChords) {
                            parallelogram({0, 0.2f, 0.15f}, {1, 0, 0}, {0, 0.15f, 0})},
                           Diffuse{Rgb(0.7f)});
   ASSERT_FALSE(scene.dark().empty());
-  const RunningStats stats = measure(scene, *find_direct_method("line-ratio"),
-                                     SamplerKind::independent, 400'000);
+  const RunningStats stats =
+      measure(scene, *find_direct_method("line-ratio"), SamplerKind::independent, 400'000);
   const double truth = scene.lambert_radiance();
   EXPECT_GT(mean_p_value(stats, truth, 2e-5 * truth), kFamilyLevel);
 }

@@ -112,9 +112,7 @@ TEST_F(FileTest, OutputReplacesAnOlderFile) {
 
 TEST_F(FileTest, NothingIsLeftWithoutCommit) {
   const std::string target = put("out", "old");
-  {
-    OutputFile(target).write("new");
-  }
+  { OutputFile(target).write("new"); }
   EXPECT_EQ(read_file(target), "old");
   EXPECT_EQ(entries(), 1u);
 }
@@ -148,7 +146,7 @@ TEST_F(FileTest, PermissionsFollowTheUmask) {
   OutputFile output(path("out"));
   output.commit();
   ::umask(before);
-  struct stat info{};
+  struct stat info {};
   ASSERT_EQ(::stat(path("out").c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777, 0640u);
 }

@@ -34,11 +34,10 @@ std::string write_oiio(const TempDir& folder, const std::string& name, OIIO::Ima
   const std::string path = folder / name;
   const auto output = OIIO::ImageOutput::create(path);
   if (!output->open(path, spec)) throw std::runtime_error(output->geterror());
-  const bool written =
-      spec.tile_width == 0
-          ? output->write_image(OIIO::BaseTypeFromC<Value>::value, values.data())
-          : output->write_tiles(0, spec.width, 0, spec.height, 0, 1,
-                                OIIO::BaseTypeFromC<Value>::value, values.data());
+  const bool written = spec.tile_width == 0
+                           ? output->write_image(OIIO::BaseTypeFromC<Value>::value, values.data())
+                           : output->write_tiles(0, spec.width, 0, spec.height, 0, 1,
+                                                 OIIO::BaseTypeFromC<Value>::value, values.data());
   if (!written) throw std::runtime_error(output->geterror());
   output->close();
   return path;
@@ -76,8 +75,7 @@ TEST(ReadExr, KeepsNonFiniteValues) {
   ImageData image{2, 1, {"R", "G", "B"}, {}, {}};
   const float inf = std::numeric_limits<float>::infinity();
   image.values = {inf, -inf, std::numeric_limits<float>::quiet_NaN(), -1, 3e38f, 1e-45f};
-  const ImageData back =
-      read_image(folder.write("x.exr", encode_image(image, ImageFormat::exr)));
+  const ImageData back = read_image(folder.write("x.exr", encode_image(image, ImageFormat::exr)));
   ASSERT_EQ(back.values.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(std::bit_cast<std::uint32_t>(back.values[i]),
@@ -126,14 +124,13 @@ TEST(ReadPng, DecodesWhatWasWritten) {
   for (int code = 0; code < 256; ++code)
     for (const int c : {code, 255 - code, (code + 85) % 256})
       image.values.push_back(linear(c, 255));
-  const ImageData back =
-      read_image(folder.write("x.png", encode_image(image, ImageFormat::png)));
+  const ImageData back = read_image(folder.write("x.png", encode_image(image, ImageFormat::png)));
   EXPECT_EQ(back.width, 256);
   EXPECT_EQ(back.height, 1);
   EXPECT_EQ(back.channels, image.channels);
   EXPECT_EQ(back.values, image.values);
-  EXPECT_EQ(back.metadata, (ImageMetadata{{"bitsPerSample", std::int64_t{8}},
-                                          {"spp", std::string("64")}}));
+  EXPECT_EQ(back.metadata,
+            (ImageMetadata{{"bitsPerSample", std::int64_t{8}}, {"spp", std::string("64")}}));
 }
 
 // IEC 61966-2-1 by hand: 0.5 -> ((0.5 + 0.055) / 1.055)^2.4 = 0.214041, 10/255/12.92 = 0.00303527.
@@ -231,9 +228,15 @@ TEST(ReadImage, RefusesHugeClaimsBeforeTakingTheMemory) {
   const TempDir folder;
   const std::string exr = encode_image(small_picture(), ImageFormat::exr);
   const std::size_t window = sizeof("dataWindow") + sizeof("box2i") + 4;
-  for (const auto& [field, claim] : std::vector<std::pair<std::size_t, std::uint32_t>>{
-           {2, 65536}, {2, 0x7fffffff}, {3, 0x7fffffff}, {3, 65536}, {0, 0x80000000},
-           {1, 0x80000000}, {2, 0xffffffff}, {3, 60000}}) {
+  for (const auto& [field, claim] :
+       std::vector<std::pair<std::size_t, std::uint32_t>>{{2, 65536},
+                                                          {2, 0x7fffffff},
+                                                          {3, 0x7fffffff},
+                                                          {3, 65536},
+                                                          {0, 0x80000000},
+                                                          {1, 0x80000000},
+                                                          {2, 0xffffffff},
+                                                          {3, 60000}}) {
     const std::string bytes = with_number(exr, "dataWindow", window + 4 * field, claim, false);
     EXPECT_NE(refusal(folder.write("x", bytes)), "read") << field << " " << claim;
   }

@@ -6,7 +6,6 @@
 namespace raytracing {
 namespace {
 
-
 TEST(ObjFaces, EveryFormOfCorner) {
   const std::string data = kSquare + "vt 0 0\nvt 1 0\nvn 0 0 1\nvn 1 0 0\n";
   const Indices none(4, kNone);

@@ -114,8 +114,8 @@ TEST(ChordSample, PdfIsThatOfThePair) {
             const Vec3 x = sample->chord.at(static_cast<float>(s));
             const Vec3 d = from - x;
             const double r2 = dot(d, d);
-            const double area_pdf = chord_pdf_w(light, from, x) * dot(d, light.normal) /
-                                    (r2 * std::sqrt(r2));
+            const double area_pdf =
+                chord_pdf_w(light, from, x) * dot(d, light.normal) / (r2 * std::sqrt(r2));
             return area_pdf * sample->chord.length / sample->pdf_u;
           },
           t - step, t + step);

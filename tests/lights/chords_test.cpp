@@ -17,8 +17,7 @@ std::vector<Vec3> polygon(std::vector<Vec2> corners) {
 }
 
 std::vector<std::vector<Vec3>> polygons() {
-  return {polygon({{0, 0}, {2, 0}, {0.5f, 1.5f}}),
-          polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}),
+  return {polygon({{0, 0}, {2, 0}, {0.5f, 1.5f}}), polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}),
           polygon({{0, 0}, {2, 0}, {1.6f, 1.9f}, {0.2f, 0.8f}}),
           polygon({{0, 0}, {1.5f, -0.4f}, {2.2f, 0.5f}, {1.2f, 1.7f}, {-0.3f, 1.1f}})};
 }

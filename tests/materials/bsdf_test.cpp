@@ -56,8 +56,10 @@ std::vector<double> cell_integrals(const Material& m, const Vec3& wo, const F& f
   for (std::size_t i = 0; i < kCells * kCells; ++i) {
     const double s = double(i / kCells) / kCells, turn = double(i % kCells) / kCells;
     result.push_back(integrate2(
-        [&](double x, double y) { return over_half_vectors(width(m), DVec3(wo), {x, y}, f); }, s,
-        s + 1.0 / kCells, turn, turn + 1.0 / kCells, panels));
+        [&](double x, double y) {
+          return over_half_vectors(width(m), DVec3(wo), {x, y}, f);
+        },
+        s, s + 1.0 / kCells, turn, turn + 1.0 / kCells, panels));
   }
   return result;
 }

@@ -71,9 +71,9 @@ TEST(Ggx, SampledNormalsAreTheVisibleOnes) {
       std::vector<double> counts(kCells * kCells), expected;
       for (std::size_t i = 0; i < kCells * kCells; ++i) {
         const double s = double(i / kCells) / kCells, turn = double(i % kCells) / kCells;
-        expected.push_back(integrate2(
-            [&](double x, double y) { return visible(alpha, DVec3(wo), x, y); }, s,
-            s + 1.0 / kCells, turn, turn + 1.0 / kCells, 5));
+        expected.push_back(
+            integrate2([&](double x, double y) { return visible(alpha, DVec3(wo), x, y); }, s,
+                       s + 1.0 / kCells, turn, turn + 1.0 / kCells, 5));
       }
       TestRandom random(2);
       for (int i = 0; i < 20000; ++i) {

@@ -33,8 +33,8 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name(); }
 
 std::vector<Case> cases() {
   std::vector<Case> result;
-  for (const char* scene : {"cornell", "glossy", "sphere_r0.4", "sphere_r0.8", "teapot_diffuse",
-                            "teapot_metal"})
+  for (const char* scene :
+       {"cornell", "glossy", "sphere_r0.4", "sphere_r0.8", "teapot_diffuse", "teapot_metal"})
     for (const bool direct : {true, false}) result.push_back({scene, direct});
   return result;
 }

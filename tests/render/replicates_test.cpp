@@ -115,14 +115,13 @@ TEST(Replicates, AnIncompleteOneCountsForNothingAfterTheFirst) {
   for (const std::uint64_t passes : {1, 2, 4}) {
     std::atomic<bool> stop = false;
     const RenderResult part =
-        render(scene, options, stop, [&](std::uint64_t done, std::uint64_t total) {
-          stop = done * 6 >= total * passes;
-        });
+        render(scene, options, stop,
+               [&](std::uint64_t done, std::uint64_t total) { stop = done * 6 >= total * passes; });
     EXPECT_FALSE(part.complete);
     const std::uint64_t complete = passes * 16 / 24;
     EXPECT_EQ(part.film.fewest_replicates(), complete);
-    RenderOptions short_options = options_of(complete > 0 ? 24 * complete : 16,
-                                             complete > 0 ? complete : 1);
+    RenderOptions short_options =
+        options_of(complete > 0 ? 24 * complete : 16, complete > 0 ? complete : 1);
     const RenderResult shorter = render_all(scene, short_options);
     for_each_pixel(part.film, [&](int x, int y, const Film::Pixel& pixel) {
       const Film::Pixel& same = shorter.film.at(x, y);

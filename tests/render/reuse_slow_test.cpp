@@ -105,9 +105,9 @@ TEST(ReuseMeans, AreThoseWithoutInEveryPixel) {
     };
     const auto off = measure_pixels(1), on = measure_pixels(8);
     for (std::size_t i = 3; i < on.size(); ++i)
-      p_values.add(name + ", pixel " + std::to_string(i / 3 - 1) + ", channel " +
-                       std::to_string(i % 3),
-                   same_mean_p_value(off[i], on[i]));
+      p_values.add(
+          name + ", pixel " + std::to_string(i / 3 - 1) + ", channel " + std::to_string(i % 3),
+          same_mean_p_value(off[i], on[i]));
   }
   p_values.expect_all();
 }

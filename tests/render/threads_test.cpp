@@ -13,10 +13,11 @@ namespace {
 TEST(Threads, EachDoesTheWorkOnce) {
   std::mutex mutex;
   std::set<std::thread::id> ids;
-  EXPECT_EQ(run_in_threads(5, [&] {
-              const std::lock_guard lock(mutex);
-              EXPECT_TRUE(ids.insert(std::this_thread::get_id()).second);
-            }),
+  EXPECT_EQ(run_in_threads(5,
+                           [&] {
+                             const std::lock_guard lock(mutex);
+                             EXPECT_TRUE(ids.insert(std::this_thread::get_id()).second);
+                           }),
             5);
   EXPECT_EQ(ids.size(), 5u);
   EXPECT_FALSE(ids.contains(std::this_thread::get_id()));
@@ -31,8 +32,7 @@ TEST(Threads, NoneMeansThisOne) {
 #if defined(__SSE__)
 TEST(Threads, DenormalNumbersAreZeroOnlyInTheWork) {
   const volatile float least = std::numeric_limits<float>::min();
-  for (const int threads : {0, 2})
-    run_in_threads(threads, [&] { EXPECT_EQ(least / 2, 0.0f); });
+  for (const int threads : {0, 2}) run_in_threads(threads, [&] { EXPECT_EQ(least / 2, 0.0f); });
   EXPECT_GT(least / 2, 0.0f);
 }
 #endif

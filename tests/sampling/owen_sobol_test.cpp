@@ -90,7 +90,7 @@ TEST(OwenSobol, SamplesOfEveryPairButOneAreNetsInBaseTwo) {
     for (std::uint32_t pixel : {0u, 1u, 1023u})
       for (std::uint32_t pair : {0u, 2u, 15u, 16u, 77u}) {
         for (int k = 0; k <= 8; ++k) expect_net(seed, pixel, pair, 0, k);
-        expect_net(seed, pixel, pair, 3 << 8, 8);                       // a later block
+        expect_net(seed, pixel, pair, 3 << 8, 8);                         // a later block
         expect_net(seed, pixel, pair, (std::uint64_t{5} << 32) + 64, 6);  // past 2^32
       }
   expect_net(7, 7, 7, 0, 12);

@@ -38,9 +38,15 @@ TEST(PixelSampler, GivesWhatTheConstructorGives) {
   const std::uint64_t epoch = std::uint64_t{1} << 32;
   for (SamplerKind kind : kBoth) {
     PixelSampler pixels(kind, 9);
-    for (const auto& [x, y, sample, replicate] :
-         {std::array<std::uint64_t, 4>{0, 0, 0, 0}, {0, 0, 1, 0}, {4, 0, 1, 0}, {4, 5, 1, 0},
-          {5, 4, 1, 0}, {5, 4, 1 + epoch, 0}, {5, 4, 1, 0}, {5, 4, 1, 1}, {5, 4, 2, 1}}) {
+    for (const auto& [x, y, sample, replicate] : {std::array<std::uint64_t, 4>{0, 0, 0, 0},
+                                                  {0, 0, 1, 0},
+                                                  {4, 0, 1, 0},
+                                                  {4, 5, 1, 0},
+                                                  {5, 4, 1, 0},
+                                                  {5, 4, 1 + epoch, 0},
+                                                  {5, 4, 1, 0},
+                                                  {5, 4, 1, 1},
+                                                  {5, 4, 2, 1}}) {
       const auto px = static_cast<std::uint32_t>(x), py = static_cast<std::uint32_t>(y);
       PathSampler kept = pixels.path(px, py, sample, replicate);
       PathSampler made(kind, 9, px, py, sample, replicate);
@@ -137,16 +143,21 @@ TEST(PathSampler, PixelsAndSeedsAreIndependentOfEachOther) {
       const auto at = [&](std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint64_t s) {
         return PathSampler(kind, seed, x, y, s);
       };
-      test("x", [&](auto i) { return at(1, 2 * (i % 64), i / 64, 0); },
-           [&](auto i) { return at(1, 2 * (i % 64) + 1, i / 64, 0); });
-      test("y", [&](auto i) { return at(1, i % 256, 2 * (i / 256), 3); },
-           [&](auto i) { return at(1, i % 256, 2 * (i / 256) + 1, 3); });
-      test("seed", [&](auto i) { return at(2 * i, 4, 4, 1); },
-           [&](auto i) { return at(2 * i + 1, 4, 4, 1); });
-      test("samples", [&](auto i) { return at(1, 3, 3, i); },
-           [&](auto i) { return at(1, 4, 3, i); });
-      test("past 2^32", [&](auto i) { return at(1, 3, 3, i); },
-           [&](auto i) { return at(1, 3, 3, i + (std::uint64_t{1} << 32)); });
+      test(
+          "x", [&](auto i) { return at(1, 2 * (i % 64), i / 64, 0); },
+          [&](auto i) { return at(1, 2 * (i % 64) + 1, i / 64, 0); });
+      test(
+          "y", [&](auto i) { return at(1, i % 256, 2 * (i / 256), 3); },
+          [&](auto i) { return at(1, i % 256, 2 * (i / 256) + 1, 3); });
+      test(
+          "seed", [&](auto i) { return at(2 * i, 4, 4, 1); },
+          [&](auto i) { return at(2 * i + 1, 4, 4, 1); });
+      test(
+          "samples", [&](auto i) { return at(1, 3, 3, i); },
+          [&](auto i) { return at(1, 4, 3, i); });
+      test(
+          "past 2^32", [&](auto i) { return at(1, 3, 3, i); },
+          [&](auto i) { return at(1, 3, 3, i + (std::uint64_t{1} << 32)); });
     }
 }
 
@@ -162,17 +173,14 @@ TEST(PathSampler, ExtraNumbersAreIndependent) {
         return join(s.pair(d), {s.extra(d, 0), s.extra(d, 1)});
       };
       const auto sample = [&](std::uint32_t i) { return PathSampler(kind, 5, 9, 9, i); };
-      const auto pixel = [&](std::uint32_t i) {
-        return PathSampler(kind, 5, i % 128, i / 128, 0);
-      };
-      const Numbers all[] = {[&](auto i) { return of(sample(i)); },
-                             [&](auto i) { return of(pixel(i)); },
-                             [&](auto i) { return with_pair(sample(i)); },
-                             [&](auto i) { return with_pair(pixel(i)); },
-                             [&](auto i) {
-                               return join({sample(2 * i).extra(d, 0), sample(2 * i).extra(d, 1)},
-                                           {sample(2 * i + 1).extra(d, 0), pixel(i).extra(d, 0)});
-                             }};
+      const auto pixel = [&](std::uint32_t i) { return PathSampler(kind, 5, i % 128, i / 128, 0); };
+      const Numbers all[] = {
+          [&](auto i) { return of(sample(i)); }, [&](auto i) { return of(pixel(i)); },
+          [&](auto i) { return with_pair(sample(i)); }, [&](auto i) { return with_pair(pixel(i)); },
+          [&](auto i) {
+            return join({sample(2 * i).extra(d, 0), sample(2 * i).extra(d, 1)},
+                        {sample(2 * i + 1).extra(d, 0), pixel(i).extra(d, 0)});
+          }};
       for (const Numbers& numbers : all)
         EXPECT_GT(joint_p_value(numbers, n), kLevel) << to_string(kind) << " " << d;
     }

@@ -15,7 +15,7 @@
 namespace raytracing {
 namespace {
 
-constexpr double kFloatLow = 0.01, kFloatHigh = 6;  // SphericalRectangle: float between them
+constexpr double kFloatLow = 0.01, kFloatHigh = 6;         // SphericalRectangle: float between them
 constexpr double kUsableLow = 3e-3, kUsableHigh = 6.2831;  // lights: by area outside of them
 
 AreaLight light_of(const Rectangle& r) {
@@ -154,9 +154,8 @@ TEST(SphericalLimits, LightsChangeToSamplingByAreaWithoutAStepOfTheSolidAngle) {
       EXPECT_EQ(sample_chord(light, from_other, 0, 0.3f)->solid_angle, 0);
       for (const auto& density : {solid_angle_pdf_w, chord_pdf_w}) {
         const auto mean = [&](float height) {
-          return mean_inverse(setting, height, [&](const Vec3& q) {
-            return density(light, setting.at(height), q);
-          });
+          return mean_inverse(setting, height,
+                              [&](const Vec3& q) { return density(light, setting.at(height), q); });
         };
         EXPECT_NEAR(mean(usable), limit, 1e-4 * limit);
         EXPECT_NEAR(mean(other), limit, 1e-4 * limit) << setting.inside;
@@ -182,7 +181,10 @@ TEST(SphericalLimits, StripsHaveTheirShareBeforeThemAlsoSeenByGrazingSight) {
     double worst_mean = 0, worst = 0;
     for (int i = 0; i < 4000; ++i) {
       const Rectangle r{{random.between(-3, 2), random.between(-3, 2), 0},
-                        {1, 0, 0}, {0, 1, 0}, random.between(0.5f, 2), random.between(0.5f, 2)};
+                        {1, 0, 0},
+                        {0, 1, 0},
+                        random.between(0.5f, 2),
+                        random.between(0.5f, 2)};
       const SphericalRectangle seen(r, {0, 0, height});
       if (seen.solid_angle() < kUsableLow || seen.solid_angle() > kUsableHigh) continue;
       RunningStats error;

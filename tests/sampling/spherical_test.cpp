@@ -209,11 +209,11 @@ TEST(SphericalRectangle, InItsPlaneIsFiniteOrFull) {
 
 TEST(SphericalTriangle, DegenerateGivesNothingOrFinitePoints) {
   const std::vector<std::array<Vec3, 3>> triangles = {
-      {Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},  // two corners the same
-      {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 2, 0)},  // a line, seen from outside
+      {Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},    // two corners the same
+      {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(1, 2, 0)},    // a line, seen from outside
       {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, -1, 0)},  // around the observer, in its plane
-      {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0)},  // observer on an edge
-      {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},  // observer at a corner
+      {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0)},   // observer on an edge
+      {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},    // observer at a corner
       {Vec3(1, 0, 1e-20f), Vec3(0, 1, 1e-20f), Vec3(1, 1, 1e-20f)}};
   for (const auto& triangle : triangles) {
     const SphericalTriangle seen(triangle, {0, 0, 0});

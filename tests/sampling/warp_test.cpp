@@ -11,8 +11,8 @@ constexpr int kSamples = 200000;
 const double kLevel = sidak_level(kFamilyLevel, 4);  // chi-square tests of this file
 
 // The ends and the middle of [0, 1), and the numbers next to them.
-constexpr float kExtremes[] = {0.0f,  0x1p-24f, 0.25f,         0.5f - 0x1p-25f,
-                               0.5f,  0.75f,    0.5f + 0x1p-24f, kOneMinus};
+constexpr float kExtremes[] = {0.0f, 0x1p-24f, 0.25f,           0.5f - 0x1p-25f,
+                               0.5f, 0.75f,    0.5f + 0x1p-24f, kOneMinus};
 
 double turn_of(double x, double y) { return std::atan2(y, x) / (2 * std::numbers::pi) + 0.5; }
 
@@ -46,8 +46,8 @@ TEST(Warp, CosineHemisphereHasItsDensity) {
   std::vector<double> counts(nz * nphi), expected;
   for (std::size_t i = 0; i < nz; ++i) {
     const auto density = [](double z) { return double{cosine_hemisphere_pdf_w(float(z))}; };
-    const double mass = 2 * std::numbers::pi *
-                        integrate(density, double(i) / nz, double(i + 1) / nz) / nphi;
+    const double mass =
+        2 * std::numbers::pi * integrate(density, double(i) / nz, double(i + 1) / nz) / nphi;
     expected.insert(expected.end(), nphi, mass);
   }
   for (int i = 0; i < kSamples; ++i) {

@@ -8,8 +8,7 @@
 namespace raytracing {
 namespace {
 
-const CameraDescription kOblique{
-    {3.0f, 1.0f, -2.0f}, {-1.0f, 2.0f, 5.0f}, {0.1f, 1.0f, 0.2f}, 50};
+const CameraDescription kOblique{{3.0f, 1.0f, -2.0f}, {-1.0f, 2.0f, 5.0f}, {0.1f, 1.0f, 0.2f}, 50};
 
 /// Coordinates of a direction in the camera's own frame.
 struct View {
@@ -33,7 +32,9 @@ TEST(Camera, PixelZeroIsUpperLeftAndRightIsCrossOfForwardAndUp) {
   const struct {
     float x, y;
     double tan_x, tan_y;
-  } corners[]{{0, 0, -t * 4 / 3, t}, {40, 0, t * 4 / 3, t}, {0, 30, -t * 4 / 3, -t},
+  } corners[]{{0, 0, -t * 4 / 3, t},
+              {40, 0, t * 4 / 3, t},
+              {0, 30, -t * 4 / 3, -t},
               {40, 30, t * 4 / 3, -t}};
   for (const auto& corner : corners) {
     const Ray ray = camera.ray(corner.x, corner.y);

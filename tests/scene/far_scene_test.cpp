@@ -12,8 +12,7 @@ namespace {
 SceneDescription scene_at(const Vec3& place, float half, TestRandom& random) {
   SceneDescription scene;
   scene.meshes.emplace_back();
-  for (int i = 0; i < 100; ++i)
-    scene.meshes[0].positions.push_back(place + random.in_cube(half));
+  for (int i = 0; i < 100; ++i) scene.meshes[0].positions.push_back(place + random.in_cube(half));
   scene.spheres = {{place, 0.1f * half, 0}};
   scene.camera.origin = place + Vec3(0.0f, 0.0f, half);
   scene.camera.target = place;

@@ -63,10 +63,10 @@ std::vector<Question> scattered(std::vector<Question> questions, TestRandom& ran
 }
 
 struct Cost {
-  double ray = 0, segment = 0;               // seconds per query; medians
+  double ray = 0, segment = 0;                      // seconds per query; medians
   double ratio = 0, ratio_low = 0, ratio_high = 0;  // of the queries: median and quartiles
-  double scattered_ratio = 0;  // of the queries in random order; median
-  double estimate_ratio = 0;   // of whole estimates, line to solid-angle; median
+  double scattered_ratio = 0;                       // of the queries in random order; median
+  double estimate_ratio = 0;  // of whole estimates, line to solid-angle; median
   double lit = 0, dark = 0;   // shares of the chords
 };
 
@@ -78,8 +78,7 @@ double time_block(const std::vector<Question>& questions, const F& query) {
   return (thread_cpu_seconds() - start) / static_cast<double>(questions.size());
 }
 
-Cost measure_cost(const Scene& scene, const std::vector<Question>& questions,
-                  TestRandom& random) {
+Cost measure_cost(const Scene& scene, const std::vector<Question>& questions, TestRandom& random) {
   const std::vector<Question> mixed = scattered(questions, random);
   Visibility visibility(scene);
   const PathSampler sampler(SamplerKind::sobol, 1, 0, 0, 0);
@@ -148,11 +147,12 @@ std::string winning_samples(double cost) {
 }
 
 void print_row(StudyReport& report, const std::string& name, const Cost& c) {
-  report.print("| {} | {:.0f} | {:.0f} | {:.1f} ({:.1f} ... {:.1f}) | {:.1f} | {:.1f} | "
-               "{:.0f} / {:.0f} / {:.0f} | {} |\n",
-               name, c.ray * 1e9, c.segment * 1e9, c.ratio, c.ratio_low, c.ratio_high,
-               c.scattered_ratio, c.estimate_ratio, 100 * c.lit, 100 * (1 - c.lit - c.dark),
-               100 * c.dark, winning_samples(c.estimate_ratio));
+  report.print(
+      "| {} | {:.0f} | {:.0f} | {:.1f} ({:.1f} ... {:.1f}) | {:.1f} | {:.1f} | "
+      "{:.0f} / {:.0f} / {:.0f} | {} |\n",
+      name, c.ray * 1e9, c.segment * 1e9, c.ratio, c.ratio_low, c.ratio_high, c.scattered_ratio,
+      c.estimate_ratio, 100 * c.lit, 100 * (1 - c.lit - c.dark), 100 * c.dark,
+      winning_samples(c.estimate_ratio));
 }
 
 void print_head(StudyReport& report, const char* first) {
@@ -165,8 +165,8 @@ void print_head(StudyReport& report, const char* first) {
 
 Cost scene_cost(const std::string& name) {
   LoadReport notes;
-  SceneFile file = load_scene_file(
-      fmt::format("{}/scenes/{}.toml", RAYTRACING_SOURCE_DIR, name), direct_method_names(), notes);
+  SceneFile file = load_scene_file(fmt::format("{}/scenes/{}.toml", RAYTRACING_SOURCE_DIR, name),
+                                   direct_method_names(), notes);
   const Scene scene(std::move(file.scene), 1);
   const Camera camera(scene.camera(), 1024, 1024);
   TestRandom random(3);
@@ -228,8 +228,9 @@ void run(StudyReport& report) {
   print_head(report, "scene");
   for (const char* name : {"cornell", "teapot_metal", "glossy"})
     print_row(report, name, scene_cost(name));
-  report.print("\n## Under a wavy sheet\n\nA sheet of more and more triangles hangs between the "
-               "receivers and the light.\n\n");
+  report.print(
+      "\n## Under a wavy sheet\n\nA sheet of more and more triangles hangs between the "
+      "receivers and the light.\n\n");
   print_head(report, "triangles");
   std::vector<double> triangles, rays, segments;
   std::string csv = "triangles;ray;segment;ratio;estimate_ratio;scattered_ratio\n";
@@ -244,9 +245,10 @@ void run(StudyReport& report) {
   }
   const PowerLaw ray_law = *fit_power_law(triangles, rays);
   const PowerLaw segment_law = *fit_power_law(triangles, segments);
-  report.print("\nTime grows with the triangles to the power {:.2f} ± {:.2f} (segment) and {:.2f} "
-               "± {:.2f} (ray).\n",
-               segment_law.slope, segment_law.slope_error, ray_law.slope, ray_law.slope_error);
+  report.print(
+      "\nTime grows with the triangles to the power {:.2f} ± {:.2f} (segment) and {:.2f} "
+      "± {:.2f} (ray).\n",
+      segment_law.slope, segment_law.slope_error, ray_law.slope, ray_law.slope_error);
   report.write_csv("sheet", csv);
   report.write_text();
 }

@@ -14,11 +14,11 @@
 namespace raytracing {
 namespace {
 
-constexpr int kSize = 256;        // of the picture
-constexpr int kMaskStep = 3;      // every third pixel of the mask is measured
+constexpr int kSize = 256;    // of the picture
+constexpr int kMaskStep = 3;  // every third pixel of the mask is measured
 constexpr int kSeeds = 4;
 constexpr int kThreads = 2;
-constexpr int kTimings = 9;       // whole renders of each method
+constexpr int kTimings = 9;  // whole renders of each method
 constexpr int kTimedSpp = 8;
 constexpr std::uint64_t kReferenceSpp = 8192;  // of each half
 constexpr double kTargets[] = {1e-5, 1e-6};
@@ -87,8 +87,8 @@ DVec3 take_sample(const Scene& scene, const Camera& camera, const Entry& entry, 
   const std::optional<Hit> hit = visibility.closest_hit(ray);
   if (!hit) return DVec3(0.0);
   const Vertex v = scene.vertex(ray, *hit);
-  const DirectQuery query{v, scene.lights()[0], 1.0f, sampler.pair(light_pair), sampler,
-                          light_pair, 4};
+  const DirectQuery query{v,       scene.lights()[0], 1.0f, sampler.pair(light_pair),
+                          sampler, light_pair,        4};
   return DVec3(method.estimate(query, visibility));
 }
 
@@ -148,8 +148,9 @@ std::vector<double> measure_errors(const Scene& scene, const Camera& camera, con
       for (std::uint64_t i = 1; i <= std::uint64_t{1} << entry.largest_log; ++i) {
         sum += take_sample(scene, camera, entry, pixels[p], seed, i - 1, visibility);
         if (i != std::uint64_t{1} << log) continue;
-        errors[p][log++] += relative_square(sum / static_cast<double>(i) - reference.mean[p],
-                                            reference.mean[p]) / kSeeds;
+        errors[p][log++] +=
+            relative_square(sum / static_cast<double>(i) - reference.mean[p], reference.mean[p]) /
+            kSeeds;
       }
     }
   });
@@ -230,8 +231,9 @@ void run(StudyReport& report) {
       "times the samples. \"Padded\" is an experiment that render() does not offer: pixel and "
       "light by separate 2D pairs, at the time of the method.\n\n",
       kSize, pixels.size(), in_mask, kSeeds, kReferenceSpp, reference.floor, kTimings, kTimedSpp);
-  report.print("| method | time of one spp / point's | relMSE at 16 | 64 | 256 | last | exponent | "
-               "s to 1e-5 | s to 1e-6 |\n|---|---|---|---|---|---|---|---|---|\n");
+  report.print(
+      "| method | time of one spp / point's | relMSE at 16 | 64 | 256 | last | exponent | "
+      "s to 1e-5 | s to 1e-6 |\n|---|---|---|---|---|---|---|---|---|\n");
   std::string csv;
   std::map<std::string, std::array<double, 2>> times;
   for (const Entry& entry : entries()) {

@@ -51,21 +51,35 @@ DirectCase penumbra(TestRandom& random, float angle) {
 
 std::vector<Case> cases() {
   return {
-      {"penumbra, edge oblique", "oblique", {-1.5, -3, -3, -3},
+      {"penumbra, edge oblique",
+       "oblique",
+       {-1.5, -3, -3, -3},
        [](TestRandom& r) { return penumbra(r, r.between(0.4f, 0.7f)); }},
-      {"penumbra, edge across the chords of direction 0", "across", {-2, -2, -3, -2},
+      {"penumbra, edge across the chords of direction 0",
+       "across",
+       {-2, -2, -3, -2},
        [](TestRandom& r) { return penumbra(r, kPi / 2); }},
-      {"penumbra, edge along the chords of direction 0", "along", {-2, -2, -2, -3},
+      {"penumbra, edge along the chords of direction 0",
+       "along",
+       {-2, -2, -2, -3},
        [](TestRandom& r) { return penumbra(r, 0.0f); }},
-      {"fully lit", "lit", {-2, -3, -3, -3},
-       [](TestRandom& r) { return DirectCase{"", ceiling_light(r), {}}; }},
-      {"near the light, at 0.1 of its length", "near", {-2, -3, -3, -3},
+      {"fully lit",
+       "lit",
+       {-2, -3, -3, -3},
+       [](TestRandom& r) {
+         return DirectCase{"", ceiling_light(r), {}};
+       }},
+      {"near the light, at 0.1 of its length",
+       "near",
+       {-2, -3, -3, -3},
        [](TestRandom& r) {
          const Vec3 center(r.between(-0.4f, 0.4f), r.between(-0.3f, 0.3f), 0.1f);
          return DirectCase{
              "", parallelogram(center, Vec3(0.5f, 0.0f, 0.0f), Vec3(0.0f, 0.35f, 0.0f)), {}};
        }},
-      {"grazing: upright light, 3 to 9 degrees above the horizon", "grazing", {-2, -3, -3, -3},
+      {"grazing: upright light, 3 to 9 degrees above the horizon",
+       "grazing",
+       {-2, -3, -3, -3},
        [](TestRandom& r) {
          const Vec3 center(2.0f, r.between(-0.4f, 0.4f), r.between(0.2f, 0.22f));
          return DirectCase{
@@ -97,10 +111,10 @@ std::vector<Variant> variants() {
       // Its points along the chord are stratified among themselves only.
       {"line-rays", "line-rays", sobol, random},
       {"line", "line", sobol, [](const Expected& e) { return e.line; }},
-      {"line, direction 0 only", "line", sobol,
-       [](const Expected& e) { return e.line_direction0; }, 0},
-      {"line, direction 1 only", "line", sobol,
-       [](const Expected& e) { return e.line_direction1; }, 1},
+      {"line, direction 0 only", "line", sobol, [](const Expected& e) { return e.line_direction0; },
+       0},
+      {"line, direction 1 only", "line", sobol, [](const Expected& e) { return e.line_direction1; },
+       1},
   };
 }
 

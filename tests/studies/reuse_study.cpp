@@ -13,7 +13,7 @@
 namespace raytracing {
 namespace {
 
-constexpr int kSize = 128;  // of the pictures
+constexpr int kSize = 128;   // of the pictures
 constexpr int kRegion = 16;  // edge, in pixels
 constexpr int kThreads = 2;
 constexpr int kEdges[] = {1, 2, 4, 8, 16};  // the first is without sharing
@@ -141,13 +141,12 @@ SceneResult measure(const Scene& scene) {
         if (step != kFlipStep) continue;
         result.region_excess[e] += truth.region_excess(r.picture) / kSteps[step].seeds;
         if (e == kFlipEdge)
-          result.flip_on += masked_mean(flip_map(to_image(r.picture), truth_image)) /
-                            kSteps[step].seeds;
+          result.flip_on +=
+              masked_mean(flip_map(to_image(r.picture), truth_image)) / kSteps[step].seeds;
       }
   const auto& row = result.cells[kFlipStep];
-  result.equal_spp = static_cast<std::uint64_t>(
-      std::ceil(static_cast<double>(kSteps[kFlipStep].spp) * row[kFlipEdge].seconds /
-                row[0].seconds));
+  result.equal_spp = static_cast<std::uint64_t>(std::ceil(
+      static_cast<double>(kSteps[kFlipStep].spp) * row[kFlipEdge].seconds / row[0].seconds));
   for (int i = 0; i < kSteps[kFlipStep].seeds; ++i) {
     const Render r = render_once(scene, 1, result.equal_spp, seed_of(kStepCount, 0, i));
     result.flip_off +=
@@ -189,8 +188,8 @@ std::string to_csv(const std::vector<std::string>& names, const std::vector<Scen
     for (std::size_t step = 0; step < kStepCount; ++step) {
       csv += std::to_string(kSteps[step].spp);
       for (const SceneResult& r : results)
-        csv += fmt::format(";{:.3f}",
-                           r.cells[step][e].efficiency() / r.cells[step][0].efficiency());
+        csv +=
+            fmt::format(";{:.3f}", r.cells[step][e].efficiency() / r.cells[step][0].efficiency());
       csv += "\n";
     }
     csv += "\n\n";
@@ -203,8 +202,8 @@ std::vector<std::filesystem::path> scene_files(const std::vector<std::string>& w
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(RAYTRACING_SOURCE_DIR) + "/scenes"))
     if (entry.path().extension() == ".toml" &&
-        (wanted.empty() || std::find(wanted.begin(), wanted.end(), entry.path().stem()) !=
-                               wanted.end()))
+        (wanted.empty() ||
+         std::find(wanted.begin(), wanted.end(), entry.path().stem()) != wanted.end()))
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -221,8 +220,9 @@ void run(StudyReport& report, const std::vector<std::string>& wanted) {
       "differences to the one and to the other: their own noise does not enter.\n\n",
       kSize, kSteps[0].seeds, kSteps[1].seeds, kSteps[2].seeds, kSteps[3].seeds, kSteps[0].spp,
       kSteps[1].spp, kSteps[2].spp, kSteps[3].spp);
-  report.print("| scene | spp | off | 2 x 2: time, error, efficiency | 4 x 4 | 8 x 8 | 16 x 16 |\n"
-               "|---|---|---|---|---|---|---|\n");
+  report.print(
+      "| scene | spp | off | 2 x 2: time, error, efficiency | 4 x 4 | 8 x 8 | 16 x 16 |\n"
+      "|---|---|---|---|---|---|---|\n");
   std::vector<std::string> names;
   std::vector<SceneResult> results;
   std::string flip_rows, region_rows;
@@ -235,15 +235,17 @@ void run(StudyReport& report, const std::vector<std::string>& wanted) {
     flip_rows += flip_row(names.back(), results.back());
     region_rows += region_row(names.back(), results.back());
   }
-  report.print("\n## How the pictures look\n\nMean FLIP (0 = equal, {} pixels per degree) at equal "
-               "time: `--reuse {}` at {} spp against so many samples without sharing as take as "
-               "long.\n\n| scene | spp without | FLIP without | FLIP with |\n|---|---|---|---|\n{}",
-               kFlipPixelsPerDegree, kEdges[kFlipEdge], kSteps[kFlipStep].spp, flip_rows);
-  report.print("\n## How alike the errors of neighbours are\n\nVariance of means over regions of "
-               "{0} x {0} pixels at {1} spp: how many times that of as many independent pixels "
-               "with the same variances.\n\n| scene | off | 2 x 2 | 4 x 4 | 8 x 8 | 16 x 16 |\n"
-               "|---|---|---|---|---|---|\n{2}",
-               kRegion, kSteps[kFlipStep].spp, region_rows);
+  report.print(
+      "\n## How the pictures look\n\nMean FLIP (0 = equal, {} pixels per degree) at equal "
+      "time: `--reuse {}` at {} spp against so many samples without sharing as take as "
+      "long.\n\n| scene | spp without | FLIP without | FLIP with |\n|---|---|---|---|\n{}",
+      kFlipPixelsPerDegree, kEdges[kFlipEdge], kSteps[kFlipStep].spp, flip_rows);
+  report.print(
+      "\n## How alike the errors of neighbours are\n\nVariance of means over regions of "
+      "{0} x {0} pixels at {1} spp: how many times that of as many independent pixels "
+      "with the same variances.\n\n| scene | off | 2 x 2 | 4 x 4 | 8 x 8 | 16 x 16 |\n"
+      "|---|---|---|---|---|---|\n{2}",
+      kRegion, kSteps[kFlipStep].spp, region_rows);
   report.write_csv("efficiency", to_csv(names, results));
   report.write_text();
 }

@@ -13,9 +13,9 @@ namespace {
 constexpr int kSeeds = 8;  // the default of chart
 
 struct Trial {
-  double sigma = 0.2;            // of each seed's picture
+  double sigma = 0.2;             // of each seed's picture
   double reference_sigma = 0.05;  // of each half of the reference
-  double factor = 1;             // of the method's expectation
+  double factor = 1;              // of the method's expectation
 };
 
 BiasEstimate estimate(NoisyPictures& maker, const Trial& trial) {

@@ -46,8 +46,7 @@ TEST(ChartPlot, GnuplotDrawsIntoAnyFolder) {
   const ChartSummary summary = made_up_chart(kFloor, 0.2);
   const std::string in_folder = std::filesystem::path(folder).filename().string() + "/";
   temp.write(in_folder + "chart.dat", plot_data(summary, plot_bottom(summary)));
-  temp.write(in_folder + "chart.gp",
-             plot_script(summary, "it's `touch x` \"a\" \\ _b_ ^c {d} %e"));
+  temp.write(in_folder + "chart.gp", plot_script(summary, "it's `touch x` \"a\" \\ _b_ ^c {d} %e"));
   ASSERT_TRUE(run_gnuplot(folder, "chart.gp"));
   for (const char* name : {"/error_vs_time", "/error_vs_spp"}) {
     const std::string svg = read_file(folder + name + ".svg");

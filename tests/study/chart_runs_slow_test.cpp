@@ -120,8 +120,7 @@ TEST_F(ChartRuns, AreMeasuredAsTheirPicturesAre) {
     EXPECT_GT(run.render_seconds, 0);
     EXPECT_EQ(run.seed, run_seed(64, run.repetition));
     EXPECT_EQ(header_text(image, "seed"), std::to_string(run.seed));
-    EXPECT_EQ(header_text(image, "lightSamplingBiased"),
-              run.method == "line-ratio" ? "yes" : "no");
+    EXPECT_EQ(header_text(image, "lightSamplingBiased"), run.method == "line-ratio" ? "yes" : "no");
   }
 }
 
@@ -170,8 +169,8 @@ TEST_F(ChartRuns, AreReportedWithTheirNumbers) {
     EXPECT_EQ(points[m][0], settings_.methods[m]->name);
     EXPECT_EQ(points[m][1], "64");
     const Spread& relmse = summary.methods[m].points[0].relmse;
-    EXPECT_EQ(points[m][3], fmt::format("{:.3g} ({:.3g} to {:.3g})", relmse.median, relmse.low,
-                                        relmse.high));
+    EXPECT_EQ(points[m][3],
+              fmt::format("{:.3g} ({:.3g} to {:.3g})", relmse.median, relmse.low, relmse.high));
   }
   const auto& fits = report.tables[2].rows;
   EXPECT_EQ(fits[0].back(), "no");

@@ -91,8 +91,9 @@ TEST_F(ClaimedFolder, RefusesWhatDiffers) {
   EXPECT_EQ(refusal(example()), "");
   ChartSettings other = example();
   other.max_depth = 1;
-  EXPECT_EQ(refusal(other), ": made with max_depth \"unlimited\", not \"1\"; choose another --out, "
-                            "or remove this one");
+  EXPECT_EQ(refusal(other),
+            ": made with max_depth \"unlimited\", not \"1\"; choose another --out, "
+            "or remove this one");
   for (const auto& change : std::vector<void (*)(ChartSettings&)>{
            [](ChartSettings& s) { s.scene_hash = 1; }, [](ChartSettings& s) { s.width = 9; },
            [](ChartSettings& s) { s.height = 9; }, [](ChartSettings& s) { s.line_rays = 9; },

@@ -87,8 +87,7 @@ TEST(ErrorMetrics, OfTwoPixels) {
 
 TEST(ErrorMetrics, OfEqualPictures) {
   const ErrorMetrics m = error_metrics(pattern(37, 101), pattern(37, 101));
-  for (const double zero : {m.mse, m.rmse, m.relmse, m.mae, m.smape, m.largest})
-    EXPECT_EQ(zero, 0);
+  for (const double zero : {m.mse, m.rmse, m.relmse, m.mae, m.smape, m.largest}) EXPECT_EQ(zero, 0);
   EXPECT_EQ(m.psnr, double{kInfinity});
   EXPECT_EQ(m.mean_ratio, DVec3(1));
   EXPECT_EQ(m.largest_x, 0);
@@ -97,10 +96,9 @@ TEST(ErrorMetrics, OfEqualPictures) {
 
 TEST(ErrorMetrics, NonFinitePixelsAreCountedAndLeftOut) {
   const float big = 1e30f;
-  const ErrorMetrics m =
-      error_metrics(picture(5, 1, {kNan, big, big, 1, 1, 1, big, big, -kInfinity, 0, 0, 0, 3, 3,
-                                   3}),
-                    picture(5, 1, {big, 0, 0, 0, kInfinity, 0, kNan, 0, 0, 1, 0, 0, 3, 3, 3}));
+  const ErrorMetrics m = error_metrics(
+      picture(5, 1, {kNan, big, big, 1, 1, 1, big, big, -kInfinity, 0, 0, 0, 3, 3, 3}),
+      picture(5, 1, {big, 0, 0, 0, kInfinity, 0, kNan, 0, 0, 1, 0, 0, 3, 3, 3}));
   EXPECT_EQ(m.non_finite_test, 2u);
   EXPECT_EQ(m.non_finite_reference, 2u);
   EXPECT_EQ(m.pixels, 2u);
@@ -131,9 +129,9 @@ TEST(ErrorMetrics, RefuseWhatDoesNotFit) {
 }
 
 TEST(PixelMask, WhiteCounts) {
-  EXPECT_EQ(to_mask(picture(5, 1, {1, 1, 1, 0, 0, 0, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.4f, kNan,
-                                   1, 1})),
-            (PixelMask{1, 0, 1, 0, 0}));
+  EXPECT_EQ(
+      to_mask(picture(5, 1, {1, 1, 1, 0, 0, 0, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.4f, kNan, 1, 1})),
+      (PixelMask{1, 0, 1, 0, 0}));
 }
 
 }  // namespace

@@ -70,12 +70,11 @@ TEST(Magma, GetsLighterAllTheWay) {
 }
 
 TEST(ErrorPicture, ShowsTheLogarithm) {
-  const ImageData test = row({0, with_error(-7), with_error(-5), with_error(-2), with_error(1),
-                              with_error(3)});
+  const ImageData test =
+      row({0, with_error(-7), with_error(-5), with_error(-2), with_error(1), with_error(3)});
   const ImageData picture = error_picture(test, row({0, 0, 0, 0, 0, 0}));
   const double expected[] = {0, 0, 0, 0.5, 1, 1};
-  for (int x = 0; x < 6; ++x)
-    EXPECT_EQ(codes_at(picture, x, 0), codes_of(magma(expected[x]))) << x;
+  for (int x = 0; x < 6; ++x) EXPECT_EQ(codes_at(picture, x, 0), codes_of(magma(expected[x]))) << x;
 }
 
 TEST(ErrorPicture, MarksWhatHasNoError) {

@@ -77,7 +77,8 @@ TEST(ExactPolygons, ShadowsOnAPlaneAcrossAnAxis) {
     const LPolygon occluders[]{occluder};
     const long double edge = 0.01L * (1 - (0.1f - p.z) / (0.05f - p.z));
     EXPECT_NEAR(static_cast<double>(area(visible_pieces(light, occluders, p))),
-                static_cast<double>(2 * (1 - edge)), 1e-12) << i;
+                static_cast<double>(2 * (1 - edge)), 1e-12)
+        << i;
   }
 }
 

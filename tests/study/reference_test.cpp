@@ -172,14 +172,14 @@ TEST_F(ReferenceFile, OfAnotherSizeIsRefused) {
 
 TEST_F(ReferenceFile, OfAnotherSceneIsRefused) {
   set("sceneHash", "0000000000000001");
-  EXPECT_EQ(refusal(), ": not a reference for this chart: its scene hash is 0000000000000001, "
-                       "not 00000000000000ff");
+  EXPECT_EQ(refusal(),
+            ": not a reference for this chart: its scene hash is 0000000000000001, "
+            "not 00000000000000ff");
 }
 
 TEST_F(ReferenceFile, OfAnotherDepthIsRefused) {
   set("maxDepth", "unlimited");
-  EXPECT_EQ(refusal(),
-            ": not a reference for this chart: its maximal depth is unlimited, not 1");
+  EXPECT_EQ(refusal(), ": not a reference for this chart: its maximal depth is unlimited, not 1");
 }
 
 TEST_F(ReferenceFile, OfABiasedMethodIsRefused) {

@@ -24,14 +24,13 @@ int count_data(const std::string& html, const char* type, const std::string& byt
 }
 
 TEST(Base64, HasTheVectorsOfRfc4648) {
-  const std::pair<const char*, const char*> vectors[] = {
-      {"", ""},
-      {"f", "Zg=="},
-      {"fo", "Zm8="},
-      {"foo", "Zm9v"},
-      {"foob", "Zm9vYg=="},
-      {"fooba", "Zm9vYmE="},
-      {"foobar", "Zm9vYmFy"}};
+  const std::pair<const char*, const char*> vectors[] = {{"", ""},
+                                                         {"f", "Zg=="},
+                                                         {"fo", "Zm8="},
+                                                         {"foo", "Zm9v"},
+                                                         {"foob", "Zm9vYg=="},
+                                                         {"fooba", "Zm9vYmE="},
+                                                         {"foobar", "Zm9vYmFy"}};
   for (const auto& [bytes, encoded] : vectors) EXPECT_EQ(base64(bytes), encoded);
 }
 
@@ -59,9 +58,9 @@ TEST(FillTemplate, EscapesRepeatsAndLeavesOut) {
   EXPECT_EQ(fill_template("{{#rows}}{{cell}}{{name}} {{/rows}}{{name}}", data),
             "1a&lt;b 2inner a&lt;b");
   EXPECT_EQ(fill_template("{{#name}}({{.}}){{/name}}", data), "(a&lt;b)");
-  EXPECT_EQ(fill_template("-{{#none}}1{{/none}}{{#empty}}2{{/empty}}{{#no_rows}}3{{/no_rows}}-",
-                          data),
-            "--");
+  EXPECT_EQ(
+      fill_template("-{{#none}}1{{/none}}{{#empty}}2{{/empty}}{{#no_rows}}3{{/no_rows}}-", data),
+      "--");
 }
 
 TEST(FillTemplate, RefusesWrongTemplates) {

@@ -54,9 +54,8 @@ TEST(StressRun, FindsAPlantedBias) {
 
 TEST(StressRun, AnAdmittedBiasIsNoFailure) {
   const StressResult result = run(plan({"edge-direction"}, {find_direct_method("line-ratio")}));
-  const auto biased = std::count_if(result.cells.begin(), result.cells.end(), [](const auto& c) {
-    return c.verdict == Verdict::biased;
-  });
+  const auto biased = std::count_if(result.cells.begin(), result.cells.end(),
+                                    [](const auto& c) { return c.verdict == Verdict::biased; });
   EXPECT_GE(biased, 4);
   EXPECT_TRUE(result.failures().empty());
 }

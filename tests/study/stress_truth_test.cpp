@@ -43,8 +43,7 @@ TEST(StressTruth, GgxAgreesWithQuadrature) {
   for (const DVec3& wo : {normalize(DVec3(0.3, -0.2, 1)), normalize(DVec3(1, 0.2, 0.05))})
     for (const double alpha : {1.0, 0.3, 0.05}) {
       const double expected = brute_force(tilted, wo, alpha, 100);
-      EXPECT_NEAR(ggx(tilted, wo, alpha) / expected, 1, 1e-7)
-          << alpha;
+      EXPECT_NEAR(ggx(tilted, wo, alpha) / expected, 1, 1e-7) << alpha;
     }
 }
 
@@ -56,8 +55,10 @@ TEST(StressTruth, GgxOfPiecesAddsUp) {
   const double whole = ggx(wall, wo, 0.2);
   EXPECT_NEAR(whole / brute_force(above, wo, 0.2, 100), 1, 1e-7);
   const LPolygon window = parallelogram({1, -0.3L, 0.2L}, {0, 0.4L, 0.1L}, {0, -0.1L, 0.3L});
-  EXPECT_NEAR((ggx_radiance(difference({wall}, window), kPoint, kUp, wo, 0.2) +
-               ggx(window, wo, 0.2)) / whole, 1, 1e-6);
+  EXPECT_NEAR(
+      (ggx_radiance(difference({wall}, window), kPoint, kUp, wo, 0.2) + ggx(window, wo, 0.2)) /
+          whole,
+      1, 1e-6);
 }
 
 // A light wide around the lobe: all that the surface reflects, an integral over half vectors whose

@@ -20,8 +20,11 @@ struct GreyPixel {
 };
 
 ImageData row(const std::vector<GreyPixel>& pixels) {
-  ImageData image{static_cast<int>(pixels.size()), 1,
-                  {"R", "G", "B", "variance.R", "variance.G", "variance.B"}, {}, {}};
+  ImageData image{static_cast<int>(pixels.size()),
+                  1,
+                  {"R", "G", "B", "variance.R", "variance.G", "variance.B"},
+                  {},
+                  {}};
   for (const GreyPixel& p : pixels)
     for (const float v : {p.value, p.value, p.value, p.variance, p.variance, p.variance})
       image.values.push_back(v);
@@ -90,8 +93,7 @@ TEST(ZScores, HaveTheExpectedShares) {
   ImageData reference = test;
   for (int i = 0; i < kPixels; ++i) {
     const auto append = [&](ImageData& image, float variance) {
-      for (int c = 0; c < 3; ++c)
-        image.values.push_back(2 + std::sqrt(variance) * normal(random));
+      for (int c = 0; c < 3; ++c) image.values.push_back(2 + std::sqrt(variance) * normal(random));
       for (int c = 0; c < 3; ++c) image.values.push_back(variance);
     };
     append(test, 0.3f);
@@ -117,8 +119,7 @@ TEST(ZScores, ExpectationsFollowTheHeaders) {
   reference.channels = {"R", "G", "B"};
   const auto set = [](ImageData& image, std::int64_t spp, std::int64_t replicates,
                       const char* sampler) {
-    image.metadata = {
-        {"spp", spp}, {"replicates", replicates}, {"sampler", std::string(sampler)}};
+    image.metadata = {{"spp", spp}, {"replicates", replicates}, {"sampler", std::string(sampler)}};
   };
   const ExpectedScores unknown = expected_scores(test, reference);
   EXPECT_EQ(unknown.degrees, 0);

@@ -52,9 +52,7 @@ class CliFolder {
   }
 
   std::string bytes(const std::string& name) const { return read_file(folder / name); }
-  nlohmann::json json(const std::string& name) const {
-    return nlohmann::json::parse(bytes(name));
-  }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(bytes(name)); }
 
   TempDir folder;
 };

@@ -98,11 +98,10 @@ class DirectScene {
     for (std::size_t i = 1; i + 1 < above.size(); ++i) {
       const DVec3 a(above[0]), b(above[i]), c(above[i + 1]);
       const double twice_area = length(cross(b - a, c - a));
-      sum += twice_area * integrate2(
-                              [&](double s, double t) {
-                                return s * integrand(a + s * (b - a) + s * t * (c - b));
-                              },
-                              0, 1, 0, 1, 20);
+      sum += twice_area *
+             integrate2([&](double s,
+                            double t) { return s * integrand(a + s * (b - a) + s * t * (c - b)); },
+                        0, 1, 0, 1, 20);
     }
     return sum;
   }

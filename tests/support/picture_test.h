@@ -43,8 +43,8 @@ inline NoisyPicture render_picture(SceneDescription description, const RenderOpt
 
 /// From an EXR with variance layers and the number of samples in its header.
 inline NoisyPicture noisy_picture(const ReadImage& image) {
-  NoisyPicture picture{image.spec.width, image.spec.height, std::stod(image.attribute("spp")), {},
-                       {}};
+  NoisyPicture picture{
+      image.spec.width, image.spec.height, std::stod(image.attribute("spp")), {}, {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
       const auto channels = [&](const std::string& prefix) {

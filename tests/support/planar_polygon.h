@@ -73,9 +73,8 @@ class PolygonCells {
     });
   }
   std::vector<double> solid_angles(const Vec3& from) const {
-    return each([&](const std::vector<DVec3>& c) {
-      return reference_solid_angle<DVec3>(c, DVec3(from));
-    });
+    return each(
+        [&](const std::vector<DVec3>& c) { return reference_solid_angle<DVec3>(c, DVec3(from)); });
   }
 
  private:

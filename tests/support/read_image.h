@@ -38,8 +38,7 @@ inline ReadImage read_with_oiio(const std::string& path) {
   const auto input = OIIO::ImageInput::open(path);
   if (!input) throw std::runtime_error(OIIO::geterror());
   ReadImage image{input->spec(), {}};
-  image.values.resize(image.spec.image_pixels() *
-                      static_cast<std::size_t>(image.spec.nchannels));
+  image.values.resize(image.spec.image_pixels() * static_cast<std::size_t>(image.spec.nchannels));
   if (!input->read_image(0, 0, 0, -1, OIIO::TypeFloat, image.values.data()))
     throw std::runtime_error(input->geterror());
   return image;

@@ -21,7 +21,7 @@ extern char** environ;
 namespace raytracing {
 
 struct RunResult {
-  int exit_code = -1;  ///< 128 + signal when a signal ended the program, as a shell tells it
+  int exit_code = -1;   ///< 128 + signal when a signal ended the program, as a shell tells it
   bool killed = false;  ///< whether a signal ended it
   std::string out;
   std::string err;

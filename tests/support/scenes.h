@@ -78,20 +78,29 @@ inline PolygonMesh inward_box(float half, std::uint32_t surface) {
 inline PolygonMesh inward_icosphere(int levels, std::uint32_t surface) {
   constexpr float g = std::numbers::phi_v<float>;
   PolygonMesh mesh;
-  for (const Vec3& p : std::array<Vec3, 12>{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                                             {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                                             {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}})
+  for (const Vec3& p : std::array<Vec3, 12>{{{-1, g, 0},
+                                             {1, g, 0},
+                                             {-1, -g, 0},
+                                             {1, -g, 0},
+                                             {0, -1, g},
+                                             {0, 1, g},
+                                             {0, -1, -g},
+                                             {0, 1, -g},
+                                             {g, 0, -1},
+                                             {g, 0, 1},
+                                             {-g, 0, -1},
+                                             {-g, 0, 1}}})
     mesh.positions.push_back(normalize(p));
   using Triangle = std::array<std::uint32_t, 3>;
-  std::vector<Triangle> triangles{
-      {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-      {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  std::vector<Triangle> triangles{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                  {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                  {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                  {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [it, is_new] = middles.try_emplace(
-          std::minmax(a, b), static_cast<std::uint32_t>(mesh.positions.size()));
+      const auto [it, is_new] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.positions.size()));
       if (is_new) mesh.positions.push_back(normalize(mesh.positions[a] + mesh.positions[b]));
       return it->second;
     };

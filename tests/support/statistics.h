@@ -68,9 +68,7 @@ class RunningStats {
   std::size_t count() const { return count_; }
   double mean() const { return mean_; }
   /// Unbiased variance of one number; 0 for fewer than two.
-  double variance() const {
-    return count_ < 2 ? 0.0 : squares_ / static_cast<double>(count_ - 1);
-  }
+  double variance() const { return count_ < 2 ? 0.0 : squares_ / static_cast<double>(count_ - 1); }
   /// Standard deviation of the mean.
   double standard_error() const {
     return count_ == 0 ? 0.0 : std::sqrt(variance() / static_cast<double>(count_));

@@ -55,8 +55,7 @@ class EmbreeScene {
   };
   static constexpr unsigned kTriangles = 0;  // geometry ids
   static constexpr unsigned kSpheres = 1;
-  static std::optional<Hit> found(unsigned geometry, unsigned primitive, float t, float u,
-                                  float v);
+  static std::optional<Hit> found(unsigned geometry, unsigned primitive, float t, float u, float v);
   void add_triangles();
   void add_spheres();
 

@@ -32,8 +32,7 @@ inline std::pair<float, float> line_crossings(const Sphere& sphere, const Ray& r
 }
 
 /// The same, the nearer first; nothing where the line misses.
-inline std::optional<std::pair<float, float>> intersect_line(const Sphere& sphere,
-                                                             const Ray& ray) {
+inline std::optional<std::pair<float, float>> intersect_line(const Sphere& sphere, const Ray& ray) {
   const auto [t0, t1] = line_crossings(sphere, ray);
   if (std::isnan(t1)) return std::nullopt;
   return t0 < t1 ? std::pair{t0, t1} : std::pair{t1, t0};

@@ -13,7 +13,7 @@ namespace raytracing {
 struct SharedPath {
   Ray ray;  ///< of the camera
   PathSampler sampler;
-  Rgb radiance{0.0f};  ///< the result
+  Rgb radiance{0.0f};                           ///< the result
   std::optional<Vertex> second = std::nullopt;  ///< where its first bounce arrived
 };
 
@@ -33,8 +33,7 @@ class PathGroup {
   /// paths[logged]: its first vertex, the light that its own bounce met, and each second vertex of
   /// the group that shines on it; there, `throughput` is left black and `direct` is all the light
   /// that comes by way of that vertex.
-  void shade(std::span<SharedPath> paths, Visibility& visibility, PathLog& log,
-             std::size_t logged);
+  void shade(std::span<SharedPath> paths, Visibility& visibility, PathLog& log, std::size_t logged);
 
  private:
   struct Scratch;

@@ -76,8 +76,8 @@ class Visibility {
     ++counts_.segments;
     const Vec3 off_light = std::max(light.error, v.error) * light.normal;
     return scene_.occluders().visible_part(v.ray_origin(), chord.begin + off_light,
-                                          chord.length * chord.direction, range,
-                                          scene_.index_of(light));
+                                           chord.length * chord.direction, range,
+                                           scene_.index_of(light));
   }
 
   void count_escaped() { ++counts_.escaped; }

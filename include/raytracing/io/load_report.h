@@ -22,7 +22,7 @@ class LoadReport {
     std::string kind;    ///< for example "face with a repeated corner"
     TextLocation first;  ///< where it happened first
     std::uint64_t count;
-    std::string name;    ///< of what it happened to first; "" where the kind says all
+    std::string name;  ///< of what it happened to first; "" where the kind says all
   };
 
   /// Counts events of this kind; the first place and name are kept.

@@ -29,9 +29,9 @@ struct AreaLight {
   Rgb Le;
   Vec3 normal;  ///< unit
   float area;
-  float error;  ///< position_error of its plane
+  float error;                                 ///< position_error of its plane
   std::optional<Parallelogram> parallelogram;  ///< set when it is one
-  std::optional<Rectangle> rectangle;  ///< set when all its angles are right
+  std::optional<Rectangle> rectangle;          ///< set when all its angles are right
   DiscreteDistribution fan;  ///< by area, of the triangles (0, i+1, i+2) that make the polygon
   std::array<ChordSet, 2> chords;  ///< along the longest edge, and across it
 

@@ -28,10 +28,10 @@ class SeenChord {
   float position(float t) const { return begin_ + t * length_; }
 
   Vec3 direction_;
-  Vec3 foot_;              // from the point to the nearest point of the chord's line
+  Vec3 foot_;  // from the point to the nearest point of the chord's line
   float foot_distance2_;
-  float begin_, length_;   // of the chord along its line, from the foot
-  float height_;           // of the point above the light's plane
+  float begin_, length_;  // of the chord along its line, from the foot
+  float height_;          // of the point above the light's plane
 };
 
 }  // namespace raytracing

@@ -61,8 +61,7 @@ inline float bsdf_pdf_w(const GgxConductor& m, const Vec3& wo, const Vec3& wi) {
   return ggx::distribution(m.alpha, h) / (2 * (wo.z + ggx::stretched(m.alpha, wo)));
 }
 
-inline std::optional<BsdfSample> sample_bsdf(const GgxConductor& m, const Vec3& wo,
-                                             const Vec2& u) {
+inline std::optional<BsdfSample> sample_bsdf(const GgxConductor& m, const Vec3& wo, const Vec2& u) {
   const Vec3 h = ggx::sample_visible_normal(m.alpha, wo, u);
   const float wo_dot_h = dot(wo, h);
   const Vec3 wi = 2 * wo_dot_h * h - wo;

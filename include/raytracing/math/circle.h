@@ -11,10 +11,9 @@ namespace raytracing {
 /// are minimax: off by 5e-11 (cosine) and 2e-9 (sine); the rest is rounding.
 inline Vec2 circle_eighth(float t) {
   const float z = t * t;
-  const float c = 1.0f + z * (-0.3084251284f +
-                              z * (0.0158543233f + z * (-3.2593688e-4f + z * 3.528957e-6f)));
-  const float s = 0.7853981256f +
-                  z * (-0.0807453617f + z * (2.4898683e-3f + z * -3.5875411e-5f));
+  const float c =
+      1.0f + z * (-0.3084251284f + z * (0.0158543233f + z * (-3.2593688e-4f + z * 3.528957e-6f)));
+  const float s = 0.7853981256f + z * (-0.0807453617f + z * (2.4898683e-3f + z * -3.5875411e-5f));
   return {c, t * s};
 }
 

@@ -50,10 +50,10 @@ struct RenderResult {
   std::uint64_t non_finite_samples = 0;
   std::array<std::uint64_t, kNonFiniteCauses> non_finite_by_cause{};  ///< indexed by NonFiniteCause
   std::vector<NonFiniteSample> first_non_finite;  ///< a few of them, in order of (y, x, sample)
-  int threads = 1;  ///< that worked; fewer than asked for when the system allows no more
-  double render_seconds = 0;                      ///< wall clock
-  double cpu_seconds = 0;                         ///< of all threads
-  bool complete = true;                           ///< false when stopped early
+  int threads = 1;            ///< that worked; fewer than asked for when the system allows no more
+  double render_seconds = 0;  ///< wall clock
+  double cpu_seconds = 0;     ///< of all threads
+  bool complete = true;       ///< false when stopped early
 };
 
 /// Told from time to time by one thread at a time: samples done and samples in all.
@@ -62,8 +62,8 @@ using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t to
 /// Renders the picture by `options.threads` threads, or as many as can be started. The result does
 /// not depend on their number nor on the tile size. When `stop` becomes true, returns soon with
 /// what there is.
-RenderResult render(const Scene& scene, const RenderOptions& options,
-                    const std::atomic<bool>& stop, const ProgressCallback& progress);
+RenderResult render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
+                    const ProgressCallback& progress);
 
 /// Radiance of one sample of one pixel, as render() would take it; `log` receives its path.
 Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,

@@ -25,8 +25,6 @@ constexpr std::uint64_t mix_bits(std::uint64_t x) {
 }
 
 /// The upper 24 bits as a float in [0, 1 - 2^-24].
-constexpr float unit_float(std::uint32_t bits) {
-  return static_cast<float>(bits >> 8) * 0x1p-24f;
-}
+constexpr float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
 }  // namespace raytracing

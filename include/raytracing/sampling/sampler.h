@@ -78,8 +78,7 @@ class PixelSampler {
  public:
   PixelSampler(SamplerKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {}
 
-  PathSampler path(std::uint32_t x, std::uint32_t y, std::uint64_t sample,
-                   std::uint64_t replicate);
+  PathSampler path(std::uint32_t x, std::uint32_t y, std::uint64_t sample, std::uint64_t replicate);
 
  private:
   SamplerKind kind_;

@@ -5,7 +5,7 @@
 
 namespace raytracing {
 
-inline constexpr int kMaxImageSize = 65536;                        // pixels, either way
+inline constexpr int kMaxImageSize = 65536;  // pixels, either way
 inline constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
 
 }  // namespace raytracing

@@ -17,10 +17,10 @@ namespace raytracing {
 /// A point of a surface, seen from the direction wo. Normals point to the viewer's side.
 struct Vertex {
   Vec3 position;
-  float error;       ///< position_error of the surface here
-  Vec3 ng;           ///< geometric normal, unit
-  Frame shading;     ///< z is the shading normal
-  Vec3 wo;           ///< unit, in the shading frame; wo.z > 0
+  float error;    ///< position_error of the surface here
+  Vec3 ng;        ///< geometric normal, unit
+  Frame shading;  ///< z is the shading normal
+  Vec3 wo;        ///< unit, in the shading frame; wo.z > 0
   const Material* material;
   std::uint32_t light;  ///< index of the light this point belongs to and is seen emitting, or kNone
   bool normal_replaced;  ///< ng is the shading normal, the interpolated one turns from the viewer

@@ -16,12 +16,12 @@ inline constexpr double kRelMseEpsilon = 0.01;
 /// Errors of a test picture x against a reference r: means over the R, G and B of all pixels that
 /// count and are finite in both pictures. Without such a pixel the means are NaN.
 struct ErrorMetrics {
-  double mse;     ///< mean (x-r)^2
-  double rmse;    ///< sqrt(mse)
-  double relmse;  ///< mean (x-r)^2 / (r^2 + kRelMseEpsilon)
-  double mae;     ///< mean |x-r|
-  double psnr;    ///< 10 log10(1 / mse), in dB for a peak of 1; infinite for equal pictures
-  double smape;   ///< mean |x-r| / (|x| + |r| + kRelMseEpsilon)
+  double mse;        ///< mean (x-r)^2
+  double rmse;       ///< sqrt(mse)
+  double relmse;     ///< mean (x-r)^2 / (r^2 + kRelMseEpsilon)
+  double mae;        ///< mean |x-r|
+  double psnr;       ///< 10 log10(1 / mse), in dB for a peak of 1; infinite for equal pictures
+  double smape;      ///< mean |x-r| / (|x| + |r| + kRelMseEpsilon)
   DVec3 mean_ratio;  ///< mean x / mean r per channel; NaN where both means are 0
   double largest;    ///< largest |x-r| of a channel
   int largest_x, largest_y;  ///< its pixel, the first of equals; -1 without pixels

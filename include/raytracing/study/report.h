@@ -30,7 +30,7 @@ struct ReportTable {
 /// What the page shows, from top to bottom. All text is plain text in UTF-8, not HTML.
 struct Report {
   std::string title;
-  std::vector<std::string> notes;       ///< paragraphs below the title: what to conclude
+  std::vector<std::string> notes;  ///< paragraphs below the title: what to conclude
   /// Of one size, at about equal time. The first two are shown first; a reference may be the last.
   std::vector<ReportPicture> pictures;
   std::vector<ReportChart> charts;

@@ -40,11 +40,11 @@ struct StressCell {
   double skewness = 0;        ///< of the pixels
   double rmse = 0;            ///< of a pixel against the truth
   double largest_sample = 0;
-  double largest_share = 0;   ///< of one sample in the sum of all; 0 where all are 0
-  double dark_pixels = 0;     ///< share of pixels whose samples all are 0
+  double largest_share = 0;      ///< of one sample in the sum of all; 0 where all are 0
+  double dark_pixels = 0;        ///< share of pixels whose samples all are 0
   std::uint64_t not_finite = 0;  ///< samples that are no finite number or below 0; counted as 0
-  double nanoseconds = 0;     ///< processor time of a sample
-  bool repeated = false;      ///< measured anew, because the first measurement looked biased
+  double nanoseconds = 0;        ///< processor time of a sample
+  bool repeated = false;         ///< measured anew, because the first measurement looked biased
   Verdict verdict = Verdict::holds;
 
   /// Relative to the truth; as they are where the truth is 0.

@@ -20,7 +20,7 @@ struct ZScores {
   std::uint64_t scores;       ///< channels of pixels with a variance
   /// Channels without a score because both variances are 0: where the values agree, and where not.
   std::uint64_t no_variance_equal, no_variance_different;
-  std::uint64_t not_finite;   ///< channels where a value or a variance is no finite number or < 0
+  std::uint64_t not_finite;  ///< channels where a value or a variance is no finite number or < 0
 };
 
 /// The z-scores as channels R, G, B of a picture; NaN where there is no score. Throws InputError
