@@ -3,27 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace raytracing {
 namespace {
-
-// Okabe and Ito's colours, told apart by the colour-blind; those of the studies. With marks that
-// differ without colour.
-struct Look {
-  const char* colour;
-  int mark;
-};
-constexpr std::array kLooks{Look{"#e69f00", 7},  Look{"#d55e00", 5}, Look{"#cc79a7", 8},
-                            Look{"#56b4e9", 13}, Look{"#000000", 9}, Look{"#009e73", 11}};
-
-// A method looks the same in all charts.
-Look look_of(const DirectMethod& method) {
-  const auto index = static_cast<std::size_t>(&method - direct_methods().data());
-  return kLooks[index % kLooks.size()];
-}
 
 // As gnuplot takes it between single quotes.
 std::string quoted(const std::string& text) {
@@ -95,14 +79,13 @@ std::string plot_command(const ChartSummary& summary, bool over_time) {
     text += fmt::format(
         "'chart.dat' index {} using {}:6:7 with filledcurves fc rgb '{}' "
         "fs transparent solid 0.14 noborder notitle, \\\n  ",
-        i, x, look_of(*summary.methods[i].method).colour);
+        i, x, summary.methods[i].method->colour);
   for (std::size_t i = 0; i < summary.methods.size(); ++i) {
     const DirectMethod& method = *summary.methods[i].method;
-    const Look look = look_of(method);
     text += fmt::format(
         "{}'chart.dat' index {} using {}:5 with linespoints lw 2 ps 1.1 pt {} "
         "lc rgb '{}' title '{}{}'",
-        i == 0 ? "" : ", \\\n  ", i, x, look.mark, look.colour, method.name,
+        i == 0 ? "" : ", \\\n  ", i, x, method.mark, method.colour, method.name,
         method.unbiased ? "" : " (biased)");
   }
   return text + slope_guides(summary, over_time) + "\n";

@@ -97,7 +97,7 @@ ChartRun measured(const PlannedRun& planned, const RenderResult& result, const I
 }  // namespace
 
 const DirectMethod& reference_method(const std::optional<std::uint32_t>& max_depth) {
-  return *find_direct_method(max_depth == 1u ? "line" : "point");
+  return direct_method(max_depth == 1u ? "line" : "point");
 }
 
 std::optional<ImageData> render_reference(const Scene& scene, const ChartSettings& settings,

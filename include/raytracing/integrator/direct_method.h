@@ -42,6 +42,8 @@ struct DirectMethod {
   std::string_view summary;  ///< one line for people, without a full stop
   std::string_view cost;     ///< what one estimate asks of the accelerators
   bool unbiased;
+  std::string_view colour;  ///< of its curves in charts, "#rrggbb"
+  int mark;                 ///< of its points in charts, a point type of gnuplot
 
   /// Radiance, in expectation over u; not divided by light_pmf. Where the method has a density and
   /// the material wants it, weighted against BSDF sampling.
@@ -63,6 +65,10 @@ std::span<const DirectMethod> direct_methods();
 
 /// The method of that name, or null.
 const DirectMethod* find_direct_method(std::string_view name);
+
+/// The method of a name that the program itself knows. Throws std::logic_error where the table does
+/// not have it.
+const DirectMethod& direct_method(std::string_view name);
 
 std::vector<std::string> direct_method_names();
 
