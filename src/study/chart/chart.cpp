@@ -1,0 +1,203 @@
+#include "raytracing/study/chart/chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "raytracing/study/chart_plot.h"
+#include "raytracing/study/chart_report.h"
+#include "raytracing/study/chart_runs.h"
+#include "raytracing/study/chart_summary.h"
+
+namespace raytracing {
+namespace {
+
+/// The steps of make_chart() and what they share.
+class Chart {
+ public:
+  Chart(const ChartRequest& request, const std::atomic<bool>& stop, ChartListener& listener)
+      : request_(request), settings_(request.settings), stop_(stop), listener_(listener) {}
+
+  ChartEnd make(const Scene& scene) {
+    const PixelMask mask = read_mask(request_.mask, settings_.width, settings_.height);
+    if (!request_.mask.empty()) mask_id_ = fmt::format("{:016x}", hash_of_file(request_.mask));
+    if (!is_automatic()) take_reference_file();
+    create_folder();
+    claim_folder(settings_.folder, settings_json(settings_, reference_id(), mask_id_));
+    if (is_automatic() && !take_automatic_reference(scene)) return ChartEnd::stopped_in_reference;
+    const PixelMask counted = counted_pixels(reference_->picture, mask);
+    const auto floor = noise_floor(*reference_, counted);
+    describe_reference(floor);
+
+    RunLog log(settings_.folder);
+    if (log.dropped() > 0)
+      listener_.warn(
+          fmt::format("{} rows of {}/runs.csv have no picture in runs/ and are rendered again; the "
+                      "old table is kept as runs.csv.old",
+                      log.dropped(), settings_.folder));
+    if (!make_all_runs(scene, {*reference_, counted, floor}, log)) return ChartEnd::stopped_in_runs;
+    write_results(summarise_runs(settings_, log, *reference_, counted), log, counted);
+    return ChartEnd::complete;
+  }
+
+ private:
+  bool is_automatic() const { return request_.reference == "auto"; }
+
+  static std::uint64_t hash_of_file(const std::string& path) { return hash_bytes(read_file(path)); }
+
+  void create_folder() const {
+    std::error_code error;
+    std::filesystem::create_directories(settings_.folder, error);
+    if (error) throw OutputError(settings_.folder + ": " + error.message());
+  }
+
+  ReferenceTerms terms() const {
+    ReferenceTerms terms{settings_.width,
+                         settings_.height,
+                         settings_.scene_hash,
+                         depth_text(settings_.max_depth),
+                         {}};
+    for (const PlannedRun& run : plan_runs(settings_)) terms.seeds.push_back(run.seed);
+    return terms;
+  }
+
+  // Names everything that the reference depends on.
+  std::string reference_id() const {
+    if (!is_automatic())
+      return fmt::format("file of hash {:016x}", hash_of_file(request_.reference));
+    return fmt::format("auto, {}, {:g} s", reference_method(settings_.max_depth).name,
+                       request_.reference_seconds);
+  }
+
+  void take_reference_file() {
+    reference_ = read_reference(request_.reference, terms());
+    if (!reference_->unchecked.empty())
+      listener_.warn(fmt::format("{}: its header does not tell {}: not checked", request_.reference,
+                                 reference_->unchecked));
+  }
+
+  // Takes the reference from the folder, or renders it. False when stopped.
+  bool take_automatic_reference(const Scene& scene) {
+    const std::string id = settings_json(settings_, reference_id(), "").dump();
+    const std::string path =
+        fmt::format("{}/reference_{:016x}.exr", settings_.folder, hash_bytes(id));
+    if (std::filesystem::exists(path)) {
+      reference_ = read_reference(path, terms());
+      return true;
+    }
+    listener_.note(fmt::format("rendering the reference by {} for {:g} s",
+                               reference_method(settings_.max_depth).name,
+                               request_.reference_seconds));
+    OutputFile file(path);
+    listener_.progress_began();
+    auto picture =
+        render_reference(scene, settings_, request_.reference_seconds, stop_, progress());
+    listener_.progress_ended(picture.has_value());
+    if (!picture) return false;
+    file.write(encode_image(*picture, ImageFormat::exr));
+    file.commit();
+    reference_ = to_reference(std::move(*picture));
+    return true;
+  }
+
+  void describe_reference(const std::optional<NoiseFloor>& floor) const {
+    if (floor)
+      listener_.note(fmt::format("reference: its own relMSE is {:.3g} ± {:.1g} ({}); subtracted",
+                                 floor->relmse.value, floor->relmse.standard_error,
+                                 reference_->variance_source));
+    else
+      listener_.warn(
+          fmt::format("the reference's own noise is {}; it is not subtracted, and there is no "
+                      "estimate of bias",
+                      reference_->variance_source));
+  }
+
+  bool make_all_runs(const Scene& scene, const Yardstick& yardstick, RunLog& log) const {
+    const std::vector<PlannedRun> runs = plan_runs(settings_);
+    const auto finished = std::count_if(runs.begin(), runs.end(), [&](const PlannedRun& run) {
+      return log.find(run.method->name, run.spp, run.repetition) != nullptr;
+    });
+    listener_.note(fmt::format(
+        "{}x{} pixels, {} methods, {} spp, {} seeds: {} runs, {} of them finished before",
+        settings_.width, settings_.height, settings_.methods.size(), settings_.spp.size(),
+        settings_.seeds, runs.size(), finished));
+    listener_.progress_began();
+    const bool complete = make_runs(scene, settings_, runs, yardstick, log, stop_, progress());
+    listener_.progress_ended(complete);
+    return complete;
+  }
+
+  ProgressCallback progress() const {
+    return [this](std::uint64_t done, std::uint64_t total) { listener_.progress(done, total); };
+  }
+
+  void write(const std::string& name, const std::string& bytes) const {
+    OutputFile file(settings_.folder + "/" + name);
+    file.write(bytes);
+    file.commit();
+    listener_.file_written(name);
+  }
+
+  void write_results(const ChartSummary& summary, const RunLog& log,
+                     const PixelMask& counted) const {
+    for (const MethodSummary& m : summary.methods)
+      if (m.bias()) listener_.note(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
+    listener_.file_written("runs.csv");
+    nlohmann::ordered_json json = settings_json(settings_, reference_id(), mask_id_);
+    json.update(to_json(summary));
+    write("summary.json", json.dump(2) + "\n");
+    write("chart.dat", plot_data(summary, plot_bottom(summary)));
+    write("chart.gp", plot_script(summary, chart_title(settings_)));
+    const auto write_report = [&](bool has_charts) {
+      write("report.html", report_html(chart_report(settings_, summary, log, *reference_, counted,
+                                                    has_charts, facts())));
+    };
+    try {
+      write_report(draw());
+    } catch (const OutputError&) {  // a failure of gnuplot must not cost the tables
+      write_report(false);
+      throw;
+    }
+  }
+
+  bool draw() const {
+    if (!run_gnuplot(settings_.folder, "chart.gp")) {
+      listener_.warn(
+          "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the same command "
+          "draws them");
+      return false;
+    }
+    for (const char* name :
+         {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg", "error_vs_spp.png"})
+      listener_.file_written(name);
+    return true;
+  }
+
+  std::vector<std::pair<std::string, std::string>> facts() const {
+    auto facts = request_.facts;
+    facts.emplace_back("reference", reference_id());
+    facts.emplace_back("mask", mask_id_);
+    return facts;
+  }
+
+  const ChartRequest& request_;
+  const ChartSettings& settings_;
+  const std::atomic<bool>& stop_;
+  ChartListener& listener_;
+  std::optional<Reference> reference_;
+  std::string mask_id_ = "none";
+};
+
+}  // namespace
+
+ChartEnd make_chart(const Scene& scene, const ChartRequest& request, const std::atomic<bool>& stop,
+                    ChartListener& listener) {
+  return Chart(request, stop, listener).make(scene);
+}
+
+}  // namespace raytracing
