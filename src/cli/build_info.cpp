@@ -1,9 +1,14 @@
 #include "build_info.h"
 
 #include <OpenEXR/OpenEXRConfig.h>
-#include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
 #include <png.h>
+
+#if __has_include(<OpenImageIO/oiioversion.h>)
+#include <OpenImageIO/oiioversion.h>
+#else
+#define OIIO_VERSION_STRING "(not built)"
+#endif
 
 #include <fstream>
 #include <thread>

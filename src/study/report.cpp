@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base64.h"
+#include "embedded/report_page.h"
 #include "html_template.h"
-#include "report_template.h"
 
 namespace raytracing {
 namespace {
@@ -74,12 +74,12 @@ Json part(const std::vector<Element>& elements) {
 }  // namespace
 
 std::string report_html(const Report& report) {
-  return fill_template(kReportTemplate, {{"title", report.title},
-                                         {"notes", report.notes},
-                                         {"pictures", part(report.pictures)},
-                                         {"charts", part(report.charts)},
-                                         {"tables", part(report.tables)},
-                                         {"facts", part(report.facts)}});
+  return fill_template(kReportPage, {{"title", report.title},
+                                     {"notes", report.notes},
+                                     {"pictures", part(report.pictures)},
+                                     {"charts", part(report.charts)},
+                                     {"tables", part(report.tables)},
+                                     {"facts", part(report.facts)}});
 }
 
 }  // namespace raytracing

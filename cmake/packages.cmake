@@ -1,0 +1,43 @@
+# need(PACKAGE DEBIAN_PACKAGE [VERSION...]) finds a package, in the first of the versions that is
+# there, without the messages of the package's own CMake file. What is not there is collected, so
+# that report_missing_packages() can name all of it in one line.
+function(need package debian_package)
+  set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+  if(NOT ARGN)
+    find_package(${package} QUIET)
+  endif()
+  foreach(version IN LISTS ARGN)
+    if(NOT ${package}_FOUND)
+      find_package(${package} ${version} QUIET)
+    endif()
+  endforeach()
+  if(NOT ${package}_FOUND)
+    set_property(GLOBAL APPEND PROPERTY missing_packages ${debian_package})
+  endif()
+endfunction()
+
+# Defines the target `openimageio`. Debian's CMake file for OpenImageIO asks for headers of OpenCV
+# that are not needed to use it, so the header and the libraries are looked for directly.
+function(need_openimageio)
+  find_path(OPENIMAGEIO_INCLUDE OpenImageIO/imageio.h)
+  find_library(OPENIMAGEIO_LIBRARY OpenImageIO)
+  find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util)
+  mark_as_advanced(OPENIMAGEIO_INCLUDE OPENIMAGEIO_LIBRARY OPENIMAGEIO_UTIL_LIBRARY)
+  if(NOT OPENIMAGEIO_INCLUDE OR NOT OPENIMAGEIO_LIBRARY OR NOT OPENIMAGEIO_UTIL_LIBRARY)
+    set_property(GLOBAL APPEND PROPERTY missing_packages libopenimageio-dev)
+    return()
+  endif()
+  add_library(openimageio INTERFACE)
+  target_include_directories(openimageio SYSTEM INTERFACE ${OPENIMAGEIO_INCLUDE})
+  target_link_libraries(openimageio INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY})
+endfunction()
+
+# Ends the configuration when a package is missing.
+function(report_missing_packages)
+  get_property(missing GLOBAL PROPERTY missing_packages)
+  if(missing)
+    list(JOIN missing " " missing)
+    # CMake leaves indented lines unwrapped, so the command can be copied.
+    message(FATAL_ERROR " Missing packages. On Debian: apt-get install ${missing}")
+  endif()
+endfunction()
