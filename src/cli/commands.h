@@ -1,35 +1,48 @@
 #pragma once
-// The subcommands, one source file each.
+// The subcommands of the program. Each is defined in the source file of its name.
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raytracing {
 
-/// Arguments of a subcommand, without program and subcommand names; `command_line` is the whole
-/// line as given, for the headers of the pictures.
+/// The command line of a subcommand.
 struct Arguments {
-  std::vector<std::string> values;
-  std::string command_line;
+  std::vector<std::string> values;  ///< without the names of the program and the subcommand
+  std::string command_line;         ///< as a shell accepts it; recorded in the outputs
 };
 
-/// The table of subcommands, one a line, for the help.
-std::string subcommands_text();
+/// A row of the table of subcommands.
+struct Command {
+  std::string_view name;
+  std::string_view summary;
+  /// Returns the exit code. Throws UsageError, InputError and OutputError.
+  int (*run)(const Arguments&);
+};
 
-/// The subcommand with the name most like this one.
-std::string nearest_subcommand(const std::string& name);
+/// All subcommands; the first one runs if the command line names none.
+std::span<const Command> commands();
 
-/// Renders a scene to pictures. Returns the exit code; throws UsageError, InputError, OutputError.
+/// Splits the command line of the program into a subcommand and its arguments.
+struct Invocation {
+  Invocation(int argc, char** argv);
+  const Command* command;
+  Arguments arguments;
+};
+
+/// Renders a scene to image files.
 int render_command(const Arguments& arguments);
 
-/// Compares two pictures. Returns and throws as render_command() does.
+/// Compares two images.
 int compare_command(const Arguments& arguments);
 
-/// Measures the methods' error against time. As above.
+/// Measures the error of the direct-light methods against time.
 int chart_command(const Arguments& arguments);
 
-/// Measures the methods where they might fail, against exact truth. As above; kExitCheckFailed when
-/// a method that claims to be unbiased is not, or a sample is not finite.
+/// Measures the direct-light methods against exact radiances. Returns kExitCheckFailed if a method
+/// that is documented as unbiased is biased, or a sample is not finite.
 int stress_command(const Arguments& arguments);
 
 }  // namespace raytracing

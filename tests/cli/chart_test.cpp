@@ -106,7 +106,7 @@ TEST_F(ChartCommand, KeepsFinishedRunsWhenInterrupted) {
   const RunResult run = run_program(slow, options);
   EXPECT_EQ(run.exit_code, 130) << run.err;
   EXPECT_FALSE(run.killed);
-  EXPECT_NE(run.err.find("stopped: finished runs are kept; the same command goes on\n"),
+  EXPECT_NE(run.err.find("stopped: finished runs are kept; repeat the command to continue\n"),
             std::string::npos)
       << run.err;
   EXPECT_FALSE(exists("c/summary.json"));
@@ -207,10 +207,10 @@ TEST_F(ChartCommand, QuietSaysNothing) {
 TEST_F(ChartCommand, RefusesWrongOptions) {
   for (const auto& [options, message] : std::vector<std::pair<Names, std::string>>{
            {{"--methods=point,lime"}, "--methods: 'lime' is not"},
-           {{"--methods=line,line"}, "--methods: line is named twice"},
-           {{"--spp=1,,2"}, "--spp: '' is not a whole number"},
+           {{"--methods=line,line"}, "--methods: line is listed twice"},
+           {{"--spp=1,,2"}, "--spp: '' is not an integer"},
            {{"--spp=0"}, "--spp: 0 is not in 1 .. "},
-           {{"--spp=2,2"}, "--spp: 2 is named twice"},
+           {{"--spp=2,2"}, "--spp: 2 is listed twice"},
            {{"--seeds=0"}, "--seeds: 0 is not in 1 .. "},
            {{"--reference-time=nan"}, "--reference-time: "},
            {{"--out="}, "--out: needs a value"}}) {

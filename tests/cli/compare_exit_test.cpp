@@ -15,7 +15,7 @@ TEST(CompareExit, TheLimitDecidesTheExitCode) {
   EXPECT_EQ(folder.compare({"a.exr", "b.exr", "--max-relmse", "0.0413"}).exit_code, 0);
   const RunResult above = folder.compare({"a.exr", "b.exr", "--max-relmse=.0412", "--json", "j"});
   EXPECT_EQ(above.exit_code, 1);
-  EXPECT_EQ(above.err, "Raytracing: relMSE 0.0412541 is not within --max-relmse 0.0412\n");
+  EXPECT_EQ(above.err, "Raytracing: relMSE 0.0412541 exceeds --max-relmse 0.0412\n");
   EXPECT_NE(above.out.find("relMSE "), std::string::npos);
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "j"}));
 }
@@ -55,7 +55,7 @@ TEST(CompareExit, PixelsMustCount) {
   expect_one_line(folder.compare({"a.exr", "b.exr", "--mask", "none.png"}), 3,
                   "none.png: no pixel of the mask is white, so that none would count");
   expect_one_line(folder.compare({"nan.exr", "b.exr", "--json", "j"}), 3,
-                  "no pixel counts: all are outside of the mask or not finite");
+                  "no pixel to compare: all are outside the mask or not finite");
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "nan.exr", "none.png"}));
 }
 
@@ -149,8 +149,8 @@ TEST(CompareExit, BadPicturesEndWithThree) {
 TEST(CompareExit, WrongUseEndsWithTwo) {
   const OneChannelOff folder;
   const std::string hint = " (--help lists all options)";
-  expect_one_line(folder.compare({}), 2, "two pictures are needed" + hint);
-  expect_one_line(folder.compare({"a.exr"}), 2, "two pictures are needed" + hint);
+  expect_one_line(folder.compare({}), 2, "two images are needed" + hint);
+  expect_one_line(folder.compare({"a.exr"}), 2, "two images are needed" + hint);
   expect_one_line(folder.compare({"a.exr", "b.exr", "c.exr"}), 2,
                   "c.exr: one argument too many" + hint);
   expect_one_line(folder.compare({"a.exr", "b.exr", "--dif", "x.png"}), 2,

@@ -168,7 +168,7 @@ TEST(Compare, HelpNamesEveryOption) {
   const RunResult help = CompareFolder().compare({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const char* option : {"\n  A FILE ", "\n  B FILE ", "\n  --mask FILE ", "\n  --diff FILE ",
-                             "\n  --max-relmse X ", "\n  --json FILE ", "Exit codes: 0 good"})
+                             "\n  --max-relmse X ", "\n  --json FILE ", "Exit codes: 0 success"})
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   std::istringstream lines(help.out);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;

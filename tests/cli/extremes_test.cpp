@@ -42,7 +42,7 @@ struct Extremes : ::testing::Test {
 TEST_F(Extremes, AnEmptySceneIsBlackAndSaysSo) {
   const RunResult run = render(kCamera);
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_NE(run.err.find("warning: the scene has no light; the picture will be black\n"),
+  EXPECT_NE(run.err.find("warning: the scene has no light; the image will be black\n"),
             std::string::npos)
       << run.err;
   for (const float value : read_image(at_.folder / "s.exr").values) EXPECT_EQ(value, 0);
@@ -73,8 +73,8 @@ TEST_F(Extremes, FarFromTheOriginIsAsNear) {
   const RunResult run =
       render(camera + materials("0.5", "1") + model("translate = [2097152, 0, -1048576]\n"));
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_NE(run.err.find("warning: the scene lies so far from the origin of coordinates that they "
-                         "are rounded to 0.2 of its half size; store it nearer\n"),
+  EXPECT_NE(run.err.find("warning: the scene lies so far from the origin that its coordinates are "
+                         "rounded to 0.2 of half its size; move it closer to the origin\n"),
             std::string::npos)
       << run.err;
   EXPECT_EQ(read_image(at_.folder / "s.exr").values, near);
@@ -102,8 +102,8 @@ TEST_F(Extremes, ALightThatShinesAwayFromEverythingIsTold) {
   const RunResult run = render(scene, {"--quiet"});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(run.err,
-            "warning: 1 of 1 lights shine away from everything: a light shines to the side from "
-            "which its corners run counter-clockwise\n");
+            "warning: lights that face away from everything: 1 of 1; a light emits to the side "
+            "from which its vertices appear counter-clockwise\n");
   EXPECT_EQ(mean(), 0);
 }
 

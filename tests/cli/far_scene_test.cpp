@@ -137,9 +137,8 @@ TEST_F(FarScene, WarnsWhereItsOwnCoordinatesAreRounded) {
   for (const DVec3& offset : {DVec3(0.0), DVec3(1000, 0, 0)})
     EXPECT_EQ(told(offset).find("warning"), std::string::npos) << told(offset);
   EXPECT_NE(told({1e6, 0, 0})
-                .find("warning: the scene lies so far from the origin of coordinates "
-                      "that they are rounded to 0.03 of its half size; store it "
-                      "nearer\n"),
+                .find("warning: the scene lies so far from the origin that its coordinates are "
+                      "rounded to 0.03 of half its size; move it closer to the origin\n"),
             std::string::npos)
       << told({1e6, 0, 0});
 }

@@ -40,7 +40,7 @@ TEST(Faults, UnreadableFilesAreNamed) {
            {{"compare", "a.exr", "a.exr", "--mask", "nope.png"},
             "nope.png: No such file or directory"},
            {{"chart", "/proc/self/mem", "--out=c"}, "/proc/self/mem: Input/output error"},
-           {{"chart", "nope.toml", "--out=c"}, "nope.toml: No such file or directory"}}) {
+           {{"chart", "./nope.toml", "--out=c"}, "./nope.toml: No such file or directory"}}) {
     const RunResult run = folder.run(arguments);
     EXPECT_EQ(run.exit_code, 3) << begin;
     EXPECT_EQ(run.err, "Raytracing: " + begin + "\n");

@@ -26,7 +26,7 @@ void expect_partial_picture(const CliFolder& folder, const RunResult& run) {
   EXPECT_FALSE(run.killed) << run.err;
   EXPECT_LT(run.seconds, 30);
   EXPECT_EQ(run.out, "x.exr\nx.png\n");
-  EXPECT_NE(run.err.find(" samples taken; the picture is incomplete\n"), std::string::npos);
+  EXPECT_NE(run.err.find(" samples taken; the image is incomplete\n"), std::string::npos);
   EXPECT_EQ(run.err.find("\"progress\":1"), std::string::npos) << run.err;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.exr", "x.json", "x.png"}));
   const ReadImage image = read_with_oiio(folder.folder / "x.exr");

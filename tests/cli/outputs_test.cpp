@@ -155,7 +155,7 @@ TEST(Outputs, AnEmptySceneIsBlackWithAWarning) {
                       "target = [0,0,0]\n");
   const RunResult run = folder.run({"empty.toml", "--quiet", "-o", "x.exr"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.err, "warning: the scene has no light; the picture will be black\n");
+  EXPECT_EQ(run.err, "warning: the scene has no light; the image will be black\n");
   EXPECT_EQ(read_with_oiio(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
 }
 
@@ -167,7 +167,7 @@ TEST(Outputs, ASceneWithoutLightIsBlackWithAWarning) {
                       "target = [0,0,0]\n[[models]]\nobj = 'm.obj'\n");
   const RunResult run = folder.run({"dark.toml", "-o", "x.exr"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_NE(run.err.find("warning: the scene has no light; the picture will be black\n"),
+  EXPECT_NE(run.err.find("warning: the scene has no light; the image will be black\n"),
             std::string::npos);
   EXPECT_EQ(read_with_oiio(folder.folder / "x.exr").values, std::vector<float>(4 * 3 * 3, 0.0f));
 }

@@ -2,18 +2,17 @@
 
 namespace raytracing {
 
-/// What a run of the program ends with; a contract with scripts.
+/// The exit codes of the program, a contract with scripts.
 enum ExitCode {
   kExitGood = 0,
-  kExitCheckFailed = 1,  ///< a result differs, a check failed, or an unexpected fault
+  kExitCheckFailed = 1,  ///< a result differs, a check failed, or an unexpected error
   kExitUsage = 2,
   kExitBadInput = 3,
   kExitOutputFailed = 4,
   kExitSignalBase = 128,  ///< plus the signal: 130 after SIGINT, 143 after SIGTERM
 };
 
-/// Runs the program: picks the subcommand, and turns every error into one line on stderr and its
-/// exit code.
+/// Runs the program. Every error becomes one line on stderr and an exit code.
 int run(int argc, char** argv);
 
 }  // namespace raytracing

@@ -1,0 +1,170 @@
+#include "raytracing/study/chart/chart.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "build_info.h"
+#include "commands.h"
+#include "common_options.h"
+#include "raytracing/cli/app.h"
+#include "raytracing/io/errors.h"
+#include "raytracing/scene/limits.h"
+#include "raytracing/study/chart_runs.h"
+#include "raytracing/study/error_metrics.h"
+#include "scene_input.h"
+
+namespace raytracing {
+namespace {
+
+constexpr std::uint64_t kMaxSeeds = std::uint64_t{1} << 20;  // see run_seed()
+
+struct ChartArguments : SceneArguments {
+  std::string folder;
+  std::vector<const DirectMethod*> methods;
+  std::vector<std::uint64_t> spp{1, 2, 4, 8, 16, 32, 64};
+  std::uint64_t seeds = 8;
+  std::string reference = "auto";  ///< or a file
+  double reference_time = 60;      ///< seconds
+  std::string mask;                ///< "" = none
+};
+
+void add_measurement_options(OptionList& options, ChartArguments& a) {
+  add_methods_option(options, a.methods);
+  options.list(
+      "--spp", a.spp, "N,N,...",
+      [](const std::string& text) { return whole_number("--spp", text, 1, kMaxSpp); },
+      fmt::format("Sample counts per pixel. Default: {}.", fmt::join(a.spp, ",")));
+  options.number(
+      "--seeds", a.seeds, 1, kMaxSeeds,
+      "Runs of each method at each sample count, each with a seed of its own; at least 2 "
+      "are needed to estimate bias.");
+  options.text("--reference", a.reference, "FILE|auto",
+               "Reference image in EXR format. With auto, it is rendered with seeds of its own and "
+               "kept in DIR, in two halves from which its noise is estimated. The noise of other "
+               "files is known if they were rendered with --variance --reuse 1 and either "
+               "--sampler independent or --replicates. Default: auto.");
+  options.real("--reference-time", a.reference_time, 0.001, 1e9,
+               "Seconds to spend on rendering the reference.");
+  add_mask_option(options, a.mask);
+}
+
+ChartArguments parse_chart_arguments(const Arguments& arguments) {
+  ChartArguments a;
+  OptionList options(
+      "Measures the error of the direct-light methods over render time and over sample count, and "
+      "plots it. A repeated command continues where the previous run was stopped. Pixels share no "
+      "paths, as with render --reuse 1.",
+      "Raytracing chart");
+  add_scene_option(options, a.scene);
+  options.text("--out", a.folder, "DIR",
+               "Folder for tables, charts and report.html. The images of all runs are kept in its "
+               "folder runs, with at most 12 bytes per pixel.");
+  options.group("Measurement");
+  add_measurement_options(options, a);
+  options.group("Image");
+  add_size_options(options, a);
+  options.group("Sampling");
+  add_line_rays_option(options, a);
+  add_path_options(options, a);
+  options.group("Execution");
+  add_run_options(options, a);
+  options.footer("\nA size of 256 x 256 pixels suffices for most charts.\nErrors are relMSE = " +
+                 relmse_formula() + " over pixels and channels.\n");
+  a.text = options.parse(arguments.values);
+  if (a.text) return a;
+  std::sort(a.spp.begin(), a.spp.end());
+  resolve_scene(a.scene);
+  if (a.folder.empty()) throw_usage("--out: no folder given");
+  return a;
+}
+
+ChartRequest chart_request(const ChartArguments& a, const SceneFile& file,
+                           const std::string& command_line) {
+  ChartRequest request;
+  ChartSettings& s = request.settings;
+  s.folder = a.folder;
+  s.scene_path = a.scene;
+  s.scene_hash = file.hash;
+  s.width = a.width.value_or(file.width);
+  s.height = a.height.value_or(file.height);
+  s.max_depth = a.max_depth;
+  s.sampler = a.sampler;
+  s.line_rays = a.line_rays;
+  s.threads = a.threads;
+  s.methods = a.methods;
+  s.spp = a.spp;
+  s.seeds = a.seeds;
+  s.made_by = {{"software", "Raytracing " + program_version()},
+               {"build", build_description()},
+               {"program", program_hash()},
+               {"machine", machine_description()},
+               {"argv", command_line}};
+  request.reference = a.reference;
+  request.reference_seconds = a.reference_time;
+  request.mask = a.mask;
+  request.facts = {{"command", command_line},
+                   {"version", program_version()},
+                   {"build", build_description()},
+                   {"machine", machine_description()}};
+  return request;
+}
+
+/// Shows the making of a chart on the terminal.
+class ChartDisplay : public ChartListener {
+ public:
+  explicit ChartDisplay(const ChartArguments& a) : a_(a) {}
+
+  void note(const std::string& line) override {
+    if (!a_.quiet) fmt::print(stderr, "{}\n", line);
+  }
+  void warn(const std::string& line) override {
+    fmt::print(stderr, "warning: {}\n", one_line(line));
+  }
+  void file_written(const std::string& name) override {
+    if (!a_.quiet) fmt::print("{}/{}\n", a_.folder, name);
+  }
+  void progress_began() override { progress_.emplace(a_.shown_progress()); }
+  void progress(std::uint64_t done, std::uint64_t total) override {
+    progress_->update(done, total);
+  }
+  void progress_ended(bool complete) override { progress_->finish(complete); }
+
+ private:
+  const ChartArguments& a_;
+  std::optional<ProgressDisplay> progress_;
+};
+
+int exit_code(ChartEnd end, int signal) {
+  if (end == ChartEnd::complete) return kExitGood;
+  fmt::print(stderr, "stopped: {}\n",
+             end == ChartEnd::stopped_in_runs
+                 ? "finished runs are kept; repeat the command to continue"
+                 : "the reference is incomplete; repeat the command to render it anew");
+  return kExitSignalBase + signal;
+}
+
+}  // namespace
+
+int chart_command(const Arguments& arguments) {
+  const ChartArguments a = parse_chart_arguments(arguments);
+  if (a.text) {
+    fmt::print("{}", *a.text);
+    return kExitGood;
+  }
+  SceneInput input(a.scene, a.quiet, false);
+  const ChartRequest request = chart_request(a, input.file(), arguments.command_line);
+  const StopOnSignal signals;
+  const auto asks_segments = [](const DirectMethod* m) { return m->asks_segments; };
+  const bool segments = asks_segments(&reference_method(a.max_depth)) ||
+                        std::any_of(a.methods.begin(), a.methods.end(), asks_segments);
+  const Scene& scene = input.build(request.settings.height, a.threads, segments);
+  ChartDisplay display(a);
+  const ChartEnd end = make_chart(scene, request, signals.stop(), display);
+  return exit_code(end, signals.signal());
+}
+
+}  // namespace raytracing

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "raytracing/cli/app.h"
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "render_options.h"
+#include "render_outputs.h"
+#include "scene_input.h"
+#include "terminal.h"
+
+namespace raytracing {
+namespace {
+
+// All files that the run will write, created before any work is done.
+class Outputs {
+ public:
+  Outputs(const RenderArguments& a, const SceneFile& file) : variance_(a.variance) {
+    std::vector<std::string> names = a.outputs;
+    if (names.empty()) names.push_back(std::filesystem::path(a.scene).stem().string() + ".png");
+    std::vector<std::string> inputs = file.assets, all = names;
+    inputs.push_back(a.scene);
+    all.push_back(a.stats);
+    check_distinct(inputs, all);
+    for (const std::string& name : names) images_.emplace_back(name);
+    if (!a.stats.empty()) stats_.emplace(a.stats);
+    const auto is_exr = [](const std::string& name) {
+      return image_format(name) == ImageFormat::exr;
+    };
+    if (a.variance && std::none_of(names.begin(), names.end(), is_exr))
+      fmt::print(stderr, "warning: --variance has no effect: no output is an .exr file\n");
+  }
+
+  void write(const RenderRecord& record, bool quiet) {
+    const ImageData image = to_image(record, variance_);
+    for (OutputFile& file : images_) {
+      file.write(encode_image(image, image_format(file.path())));
+      file.commit();
+      if (!quiet) fmt::print("{}\n", file.path());
+    }
+    if (!stats_) return;
+    stats_->write(stats_json(record));
+    stats_->commit();
+  }
+
+ private:
+  bool variance_;
+  std::vector<OutputFile> images_;
+  std::optional<OutputFile> stats_;
+};
+
+void print_summary(const RenderRecord& r, bool quiet) {
+  const RenderOptions& o = r.options;
+  const DirectMethod& method = *o.shade.method;
+  if (!quiet)
+    fmt::print(stderr, "{}x{} pixels, {} spp, {}{}, {}: {:.2f} s, {:.2f} million paths/s\n",
+               o.width, o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
+               counted(r.result.threads, "thread"), r.result.render_seconds,
+               1e-6 * static_cast<double>(r.result.paths) / r.result.render_seconds);
+  if (r.result.threads < o.threads)
+    fmt::print(stderr, "warning: the system allows only {} of {} threads\n", r.result.threads,
+               o.threads);
+  for (const NonFiniteSample& s : r.result.first_non_finite)
+    fmt::print(stderr, "non-finite sample ({}): add --replay {},{},{} to trace it again\n",
+               to_string(s.cause), s.x, s.y, s.sample);
+  if (r.result.non_finite_samples > 0)
+    fmt::print(stderr, "warning: {} of {} samples were not finite and count as black\n",
+               r.result.non_finite_samples, r.result.paths);
+  if (!r.result.complete)
+    fmt::print(stderr, "stopped early: {} of {} samples taken; the image is incomplete\n",
+               r.result.paths,
+               o.spp * static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height));
+}
+
+template <class V>
+std::string to_text(const V& v) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
+}
+
+// The vertices of one sample and what each contributes. `origin` was subtracted from all positions.
+std::string replay_text(const Scene& scene, const RenderOptions& options,
+                        const RenderArguments::Replay& replay, const Vec3& origin) {
+  if (replay.x >= options.width || replay.y >= options.height || replay.sample >= options.spp)
+    throw UsageError(fmt::format("--replay: {},{},{} lies outside {}x{} pixels and {} spp",
+                                 replay.x, replay.y, replay.sample, options.width, options.height,
+                                 options.spp));
+  const Camera camera(scene.camera(), options.width, options.height);
+  Visibility visibility(scene);
+  PathLog log;
+  const Rgb radiance =
+      trace_sample(scene, camera, options, replay.x, replay.y, replay.sample, visibility, log);
+  std::string out =
+      fmt::format("pixel {},{} sample {} seed {} {} {}\n", replay.x, replay.y, replay.sample,
+                  options.seed, to_string(options.sampler), options.shade.method->name);
+  if (shares_paths(options))
+    out += fmt::format(
+        "groups of {0}x{0} pixels share paths: vertices with throughput 0 follow the first bounces "
+        "of the other pixels of the group, and 'direct' is all light that this sample receives "
+        "through them\n",
+        options.reuse);
+  for (std::size_t i = 0; i < log.steps.size(); ++i) {
+    const PathLog::Step& s = log.steps[i];
+    out += fmt::format(
+        "vertex {} at {} normal {}\n  throughput {}\n  emitted {}{}\n  direct {}\n"
+        "  continues with probability {:.9g}\n",
+        i + 1, to_text(DVec3(s.position) + DVec3(origin)), to_text(s.normal), to_text(s.throughput),
+        to_text(s.emitted), s.light == kNone ? "" : fmt::format(" (light {})", s.light),
+        to_text(s.direct), s.survival);
+  }
+  if (!is_finite(radiance))
+    out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
+  const RayCounts& counts = visibility.counts();
+  return out + fmt::format(
+                   "radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries, "
+                   "{} shaft queries\n",
+                   to_text(radiance), counts.closest, counts.shadow, counts.segments,
+                   counts.shafts);
+}
+
+}  // namespace
+
+int render_command(const Arguments& arguments) {
+  const RenderArguments a = parse_render_arguments(arguments);
+  if (a.text) {
+    fmt::print("{}", *a.text);
+    return kExitGood;
+  }
+  SceneInput input(a.scene, a.quiet, a.strict);
+  const StopOnSignal signals;  // before there are temporary files to leave behind
+  const RenderOptions options = render_options(a, input.file());
+  std::optional<Outputs> outputs;
+  if (!a.replay) outputs.emplace(a, input.file());
+  const Scene& scene = input.build(options.height, a.threads,
+                                   options.shade.method->asks_segments || shares_paths(options));
+  if (a.replay) {
+    fmt::print("{}", replay_text(scene, options, *a.replay, input.origin()));
+    return kExitGood;
+  }
+  ProgressDisplay display(a.shown_progress());
+  const RenderResult result =
+      render(scene, options, signals.stop(),
+             [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
+  if (result.paths == 0) {  // nothing to keep, and an older image is better than a black one
+    fmt::print(stderr, "stopped before the first sample: nothing written\n");
+    return kExitSignalBase + signals.signal();
+  }
+  const RenderRecord record{a.scene,
+                            input.file(),
+                            options,
+                            result,
+                            arguments.command_line,
+                            input.load_seconds(),
+                            input.build_seconds()};
+  outputs->write(record, a.quiet);
+  display.finish(result.complete);
+  print_summary(record, a.quiet);
+  if (signals.signal() != 0) return kExitSignalBase + signals.signal();
+  return a.strict && result.non_finite_samples > 0 ? kExitCheckFailed : kExitGood;
+}
+
+}  // namespace raytracing

@@ -1,0 +1,191 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "build_info.h"
+#include "commands.h"
+#include "common_options.h"
+#include "raytracing/cli/app.h"
+#include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
+#include "raytracing/study/chart_plot.h"
+#include "raytracing/study/stress_page.h"
+#include "raytracing/study/stress_plot.h"
+#include "raytracing/study/stress_run.h"
+
+namespace raytracing {
+namespace {
+
+constexpr std::uint64_t kMaxSeeds = 1 << 16;
+
+struct StressArguments : RunArguments {
+  StressPlan plan;
+  std::string folder;
+};
+
+std::string cases_text() {
+  std::string text = "Cases, with the parameter that each one varies and its range:\n";
+  for (const StressCase& c : stress_cases())
+    text += fmt::format("  {:<16}{}: {} .. {}\n", c.name, c.parameter, c.settings.front().label,
+                        c.settings.back().label);
+  return text;
+}
+
+StressArguments parse_stress_arguments(const Arguments& arguments) {
+  StressArguments a;
+  std::vector<std::string> names;
+  OptionList options(
+      "Looks for failures of the direct-light methods: each case varies one parameter towards a "
+      "difficult limit and compares the radiance at one point with its exact value. Ends with exit "
+      "code 1 if a method that is documented as unbiased is found biased, or a sample is not "
+      "finite.",
+      "Raytracing stress");
+  options.text("--out", a.folder, "DIR", "Folder for stress.csv, the heat maps and stress.html.");
+  options.group("Measurement");
+  options.texts("--case", names, "NAME",
+                "Measure only this case. May be repeated. Default: all cases, which are listed "
+                "below.");
+  add_methods_option(options, a.plan.methods);
+  options.number("--seeds", a.plan.seeds, 1, kMaxSeeds,
+                 fmt::format("Number of seeds for each measurement; each one adds {} pixels of {} "
+                             "samples.",
+                             kPixelsPerSeed, kStressSpp));
+  add_line_rays_option(options, a);
+  options.group("Execution");
+  add_run_options(options, a);
+  options.footer("\n" + cases_text());
+  a.text = options.parse(arguments.values);
+  if (a.text) return a;
+  for (const std::string& name : names) index_of_name("--case", name, stress_case_names());
+  for (const StressCase& c : stress_cases())  // in the order of the table
+    if (names.empty() || std::find(names.begin(), names.end(), c.name) != names.end())
+      a.plan.cases.push_back(&c);
+  a.plan.line_rays = a.line_rays;
+  a.plan.threads = a.threads;
+  if (a.folder.empty()) throw_usage("--out: no folder given");
+  return a;
+}
+
+/// The folder of the results.
+class ResultFolder {
+ public:
+  explicit ResultFolder(const StressArguments& a) : path_(a.folder), quiet_(a.quiet) {
+    std::error_code error;
+    std::filesystem::create_directories(path_, error);
+    if (error) throw OutputError(path_ + ": " + error.message());
+    const OutputFile probe(path_ + "/stress.csv");  // before the work, not after it
+  }
+
+  const std::string& path() const { return path_; }
+  void write(const std::string& name, const std::string& bytes) const {
+    OutputFile file(path_ + "/" + name);
+    file.write(bytes);
+    file.commit();
+    print_path(name);
+  }
+  void print_path(const std::string& name) const {
+    if (!quiet_) fmt::print("{}/{}\n", path_, name);
+  }
+
+ private:
+  std::string path_;
+  bool quiet_;
+};
+
+std::vector<std::string> with_extensions(const std::vector<std::string>& plots) {
+  std::vector<std::string> files;
+  for (const std::string& plot : plots)
+    for (const char* extension : {".svg", ".png"}) files.push_back(plot + extension);
+  return files;
+}
+
+// Draws the heat maps and returns their files; none if gnuplot is missing.
+std::vector<std::string> draw(const StressResult& result, const ResultFolder& folder) {
+  if (!run_gnuplot(folder.path(), "stress.gp")) {
+    fmt::print(stderr,
+               "warning: no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); "
+               "with it, run gnuplot stress.gp in the folder\n");
+    return {};
+  }
+  const std::vector<std::string> drawn = with_extensions(stress_pictures(result));
+  for (const std::string& name : drawn) folder.print_path(name);
+  return drawn;
+}
+
+// Names the heat maps that an earlier run left in the folder, from other cases or with gnuplot.
+void warn_of_old_plots(const std::vector<std::string>& drawn, const ResultFolder& folder) {
+  std::vector<std::string> old;
+  for (const std::string& name : with_extensions(all_stress_pictures()))
+    if (std::find(drawn.begin(), drawn.end(), name) == drawn.end() &&
+        std::filesystem::exists(folder.path() + "/" + name))
+      old.push_back(name);
+  if (!old.empty())
+    fmt::print(stderr, "warning: {}: left by an earlier run: {}\n", one_line(folder.path()),
+               fmt::join(old, ", "));
+}
+
+void write_results(const StressResult& result, const StressPlan& plan, const ResultFolder& folder,
+                   const std::string& command_line) {
+  folder.write("stress.csv", stress_csv(result));
+  folder.write("stress.dat", stress_plot_data(result));
+  folder.write("stress.gp", stress_plot_script(result));
+  const std::vector<std::string> drawn = draw(result, folder);
+  folder.write("stress.html",
+               report_html(stress_report(result, folder.path(), !drawn.empty(),
+                                         {{"command", command_line},
+                                          {"version", program_version()},
+                                          {"build", build_description()},
+                                          {"machine", machine_description()},
+                                          {"seeds", std::to_string(plan.seeds)},
+                                          {"line rays", std::to_string(plan.line_rays)}})));
+  warn_of_old_plots(drawn, folder);
+}
+
+void print_verdicts(const StressResult& result) {
+  for (const std::string& line : stress_verdicts(result)) fmt::print(stderr, "{}\n", line);
+  fmt::print(stderr, "{}\n", stress_rule(result.critical_z));
+}
+
+// Prints a line for each measurement that fails the run.
+int exit_code(const StressResult& result) {
+  for (const StressCell* c : result.failures())
+    fmt::print(stderr,
+               "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}; {} samples not finite "
+               "or negative\n",
+               c->stress_case->name, c->setting->label, c->method->name, to_string(c->verdict),
+               100 * c->relative_bias(), 100 * c->relative(c->standard_error), c->z(),
+               c->not_finite);
+  return result.failures().empty() ? kExitGood : kExitCheckFailed;
+}
+
+}  // namespace
+
+int stress_command(const Arguments& arguments) {
+  const StressArguments a = parse_stress_arguments(arguments);
+  if (a.text) {
+    fmt::print("{}", *a.text);
+    return kExitGood;
+  }
+  const StopOnSignal signals;  // before there are temporary files to leave behind
+  const ResultFolder folder(a);
+  ProgressDisplay display(a.shown_progress());
+  const StressResult result =
+      run_stress(a.plan, signals.stop(),
+                 [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
+  display.finish(result.complete);
+  if (!result.complete) {
+    fmt::print(stderr, "stopped: nothing written\n");
+    return kExitSignalBase + signals.signal();
+  }
+  write_results(result, a.plan, folder, arguments.command_line);
+  if (!a.quiet) print_verdicts(result);
+  return exit_code(result);
+}
+
+}  // namespace raytracing
