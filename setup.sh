@@ -2,6 +2,8 @@
 # Sets up Debian 12 or 13 for this project and goes on to a first result.
 #   ./setup.sh picture    installs what the program needs, builds it, renders the Cornell Box to
 #                         cornell.png
+#   ./setup.sh package    installs that and makes a Debian package in build-package, which runs on every
+#                         processor of the architecture
 #   ./setup.sh packages   installs what the program and its tests are built from
 #   ./setup.sh test       installs that, a browser for the test of the report page, and clang's tools
 #                         for .ci; builds everything and runs all tests
@@ -12,6 +14,7 @@ cd "$(dirname "$0")"
 program_packages="g++ cmake make libembree-dev libopenexr-dev libpng-dev libglm-dev libcli11-dev
   libtomlplusplus-dev nlohmann-json3-dev libfmt-dev gnuplot-nox"
 test_packages="libopenimageio-dev libgtest-dev libbenchmark-dev"
+package_packages="dpkg-dev file"
 # Without these the tests that need them are skipped.
 tool_packages="chromium chromium-driver python3-selenium clang libclang-rt-dev clang-format
   clang-tidy"
@@ -74,23 +77,30 @@ need_cmake() {
 
 # shellcheck disable=SC2086 # words of lists
 case "${1:-}" in
-  packages)
-    install_packages $program_packages $test_packages
-    ;;
   picture)
     install_packages $program_packages
     need_cmake
     tests=ON
     installed $test_packages || tests=OFF
-    echo "Building the program: about two minutes on two cores"
+    echo "Building the program: about three minutes on two cores"
     cmake --preset release -DRAYTRACING_TESTS=$tests
     cmake --build --preset release --parallel "$(nproc)" --target Raytracing
     ./build/Raytracing --scene scenes/cornell.toml --spp 16 --output cornell.png
     ;;
+  package)
+    install_packages $program_packages $package_packages
+    need_cmake
+    echo "Building the program: about three minutes on two cores"
+    cmake --preset package
+    cmake --build --preset package --parallel "$(nproc)"
+    cpack --preset package
+    ;;
+  packages)
+    install_packages $program_packages $test_packages
+    ;;
   test)
     install_packages $program_packages $test_packages $tool_packages
     need_cmake
-    echo "Building the program and its tests: about N minutes on two cores; then M minutes of tests"
     cmake --preset release
     cmake --build --preset release --parallel "$(nproc)"
     ctest --preset release

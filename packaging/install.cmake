@@ -25,6 +25,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # dependencies as dpkg-shlibdeps finds them
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)  # draws the charts of `chart` and `stress`
-set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/packaging/check_portable.cmake)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/packaging/check.cmake)
 set(CPACK_RAYTRACING_NATIVE ${RAYTRACING_NATIVE})
 include(CPack)
