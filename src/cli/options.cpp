@@ -48,7 +48,7 @@ std::string without_double_blank_lines(std::string text) {
 
 [[noreturn]] void throw_out_of_range(std::string_view option, std::string_view text, auto low,
                                      auto high) {
-  throw UsageError(fmt::format("{}: {} is not in {} .. {}", option, text, low, high));
+  throw UsageError(fmt::format("{}: {} is not between {} and {}", option, text, low, high));
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ std::vector<std::string> OptionList::names() const {
 void OptionList::throw_unexpected(const std::string& argument) const {
   if (!argument.starts_with("-")) throw_usage(extra_(argument));
   const std::string name = argument.substr(0, argument.find('='));
-  throw_usage(name + ": no such option; the nearest is " + nearest_name(name, names()));
+  throw_usage(name + ": unknown option; the nearest is " + nearest_name(name, names()));
 }
 
 void throw_usage(const std::string& what) {
@@ -148,8 +148,8 @@ std::size_t index_of_name(std::string_view option, const std::string& text,
                           const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), text);
   if (found == names.end())
-    throw UsageError(fmt::format("{}: '{}' is not {}; the nearest is {}", option, text,
-                                 alternatives(names), nearest_name(text, names)));
+    throw UsageError(fmt::format("{}: must be {}, not '{}'; the nearest is {}", option,
+                                 alternatives(names), text, nearest_name(text, names)));
   return static_cast<std::size_t>(found - names.begin());
 }
 

@@ -43,7 +43,7 @@ std::string subcommand_hint(const std::string& name) {
 
 RenderArguments::Replay parse_replay(const std::string& text) {
   const std::vector<std::string> parts = split_list(text);
-  if (parts.size() != 3) throw UsageError("--replay: '" + text + "' is not X,Y,SAMPLE");
+  if (parts.size() != 3) throw UsageError("--replay: '" + text + "' is not of the form X,Y,SAMPLE");
   const auto number = [&](std::size_t i, std::uint64_t high) {
     return whole_number("--replay", parts[i], 0, high);
   };
@@ -53,7 +53,8 @@ RenderArguments::Replay parse_replay(const std::string& text) {
 
 int parse_reuse(const std::string& text) {
   const std::uint64_t edge = whole_number("--reuse", text, 1, PixelGroups::kMaxEdge);
-  if (!std::has_single_bit(edge)) throw UsageError("--reuse: " + text + " is not 1, 2, 4, 8 or 16");
+  if (!std::has_single_bit(edge))
+    throw UsageError("--reuse: must be 1, 2, 4, 8 or 16, not " + text);
   return static_cast<int>(edge);
 }
 

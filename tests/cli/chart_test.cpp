@@ -206,12 +206,12 @@ TEST_F(ChartCommand, QuietSaysNothing) {
 
 TEST_F(ChartCommand, RefusesWrongOptions) {
   for (const auto& [options, message] : std::vector<std::pair<Names, std::string>>{
-           {{"--methods=point,lime"}, "--methods: 'lime' is not"},
+           {{"--methods=point,lime"}, ", not 'lime'; the nearest is line"},
            {{"--methods=line,line"}, "--methods: line is listed twice"},
            {{"--spp=1,,2"}, "--spp: '' is not an integer"},
-           {{"--spp=0"}, "--spp: 0 is not in 1 .. "},
+           {{"--spp=0"}, "--spp: 0 is not between 1 and "},
            {{"--spp=2,2"}, "--spp: 2 is listed twice"},
-           {{"--seeds=0"}, "--seeds: 0 is not in 1 .. "},
+           {{"--seeds=0"}, "--seeds: 0 is not between 1 and "},
            {{"--reference-time=nan"}, "--reference-time: "},
            {{"--out="}, "--out: needs a value"}}) {
     const RunResult run = chart(options);

@@ -185,7 +185,7 @@ TEST(WrongOptions, NumbersOutOfRange) {
            {"--line-rays", "1", "65536", "65537"},
            {"--replicates", "1", "65536", "65537"},
            {"--seed", "0", "18446744073709551615", "18446744073709551616"}}) {
-    const std::string range = " is not in " + low + " .. " + high + "\n";
+    const std::string range = " is not between " + low + " and " + high + "\n";
     for (const std::string& value :
          {std::string("-1"), too_high, std::string("99999999999999999999999")})
       expect_usage_error(folder, {{kCornell, option, value}, option + ": " + value + range});
@@ -204,22 +204,20 @@ TEST(WrongOptions, Names) {
   const CliFolder folder;
   for (const Wrong& wrong : std::vector<Wrong>{
            {{kCornell, "--light-sampling", misspelt()},
-            "--light-sampling: '" + misspelt() + "' is not " +
-                std::string(direct_methods().front().name)},
+            "--light-sampling: must be " + std::string(direct_methods().front().name)},
            {{kCornell, "--sampler", "Sobol"},
-            "--sampler: 'Sobol' is not sobol or independent; the "
-            "nearest is sobol\n"},
+            "--sampler: must be sobol or independent, not 'Sobol'; the nearest is sobol\n"},
            {{kCornell, "--progress", "json"},
-            "--progress: 'json' is not auto, bar, jsonl or none; the nearest is jsonl\n"},
+            "--progress: must be auto, bar, jsonl or none, not 'json'; the nearest is jsonl\n"},
            {{kCornell, "--light-samplin", "point"},
-            "--light-samplin: no such option; the nearest is --light-sampling"},
-           {{kCornell, "--seet=3"}, "--seet: no such option; the nearest is --seed"},
-           {{"--sead", "3"}, "--sead: no such option; the nearest is --seed"},
-           {{kCornell, "-x"}, "-x: no such option"}})
+            "--light-samplin: unknown option; the nearest is --light-sampling"},
+           {{kCornell, "--seet=3"}, "--seet: unknown option; the nearest is --seed"},
+           {{"--sead", "3"}, "--sead: unknown option; the nearest is --seed"},
+           {{kCornell, "-x"}, "-x: unknown option"}})
     expect_usage_error(folder, wrong);
   const RunResult run = folder.run({kCornell, "--light-sampling", misspelt()});
-  EXPECT_TRUE(
-      run.err.ends_with("; the nearest is " + std::string(direct_methods().front().name) + "\n"))
+  EXPECT_TRUE(run.err.ends_with(", not '" + misspelt() + "'; the nearest is " +
+                                std::string(direct_methods().front().name) + "\n"))
       << run.err;
 }
 
@@ -237,11 +235,11 @@ TEST(WrongOptions, ShapeOfTheCommandLine) {
            {{kCornell, "--stats"}, "--stats: needs a value"},
            {{kCornell, "-o", "x.jpg"}, "x.jpg: the name of an image must end in .png or .exr"},
            {{kCornell, "-o", ".png"}, ".png: "},
-           {{kCornell, "--replay", "1,2"}, "--replay: '1,2' is not X,Y,SAMPLE"},
-           {{kCornell, "--replay", "1,2,3,4"}, "--replay: '1,2,3,4' is not X,Y,SAMPLE"},
+           {{kCornell, "--replay", "1,2"}, "--replay: '1,2' is not of the form X,Y,SAMPLE"},
+           {{kCornell, "--replay", "1,2,3,4"}, "--replay: '1,2,3,4' is not of the form X,Y,SAMPLE"},
            {{kCornell, "--replay", "1,2,x"}, "--replay: 'x' is not an integer"},
-           {{kCornell, "--replay", "-1,0,0"}, "--replay: -1 is not in 0 .. 65535"},
-           {{kCornell, "--replay", "65536,0,0"}, "--replay: 65536 is not in 0 .. 65535"}})
+           {{kCornell, "--replay", "-1,0,0"}, "--replay: -1 is not between 0 and 65535"},
+           {{kCornell, "--replay", "65536,0,0"}, "--replay: 65536 is not between 0 and 65535"}})
     expect_usage_error(folder, wrong);
 }
 

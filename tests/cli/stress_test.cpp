@@ -117,12 +117,12 @@ TEST_F(StressCommand, HelpNamesTheCases) {
 }
 
 TEST_F(StressCommand, RefusesWrongOptions) {
-  for (const auto& [options, message] :
-       std::vector<std::pair<Names, std::string>>{{{"--case=scales"}, "--case: 'scales' is not "},
-                                                  {{"--methods=lime"}, "--methods: 'lime' is not"},
-                                                  {{"--seeds=0"}, "--seeds: 0 is not in 1 .. "},
-                                                  {{"--threads=0"}, "--threads: 0 is not in 1 .. "},
-                                                  {{"more"}, "more: one argument too many"}}) {
+  for (const auto& [options, message] : std::vector<std::pair<Names, std::string>>{
+           {{"--case=scales"}, ", not 'scales'; the nearest is scale"},
+           {{"--methods=lime"}, ", not 'lime'; the nearest is line"},
+           {{"--seeds=0"}, "--seeds: 0 is not between 1 and "},
+           {{"--threads=0"}, "--threads: 0 is not between 1 and "},
+           {{"more"}, "more: one argument too many"}}) {
     const RunResult run = stress(options);
     EXPECT_EQ(run.exit_code, 2) << options[0];
     EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
