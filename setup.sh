@@ -82,7 +82,7 @@ case "${1:-}" in
     need_cmake
     tests=ON
     installed $test_packages || tests=OFF
-    echo "Building the program: about three minutes on two cores"
+    echo "Building the program: about three minutes on two idle cores"
     cmake --preset release -DRAYTRACING_TESTS=$tests
     cmake --build --preset release --parallel "$(nproc)" --target Raytracing
     ./build/Raytracing --scene scenes/cornell.toml --spp 16 --output cornell.png
@@ -90,7 +90,7 @@ case "${1:-}" in
   package)
     install_packages $program_packages $package_packages
     need_cmake
-    echo "Building the program: about three minutes on two cores"
+    echo "Building the program: about three minutes on two idle cores"
     cmake --preset package
     cmake --build --preset package --parallel "$(nproc)"
     cpack --preset package

@@ -1,6 +1,6 @@
 # need(PACKAGE DEBIAN_PACKAGE [VERSION...]) finds a package, in the first of the versions that is
-# there, without the messages of the package's own CMake file. What is not there is collected, so
-# that report_missing_packages() can name all of it in one line.
+# there, without the messages of the package's own CMake file. What is not there is collected in the
+# global property missing_packages, so that one message can name all of it.
 function(need package debian_package)
   set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
   if(NOT ARGN)
@@ -30,14 +30,4 @@ function(need_openimageio)
   add_library(openimageio INTERFACE)
   target_include_directories(openimageio SYSTEM INTERFACE ${OPENIMAGEIO_INCLUDE})
   target_link_libraries(openimageio INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY})
-endfunction()
-
-# Ends the configuration when a package is missing.
-function(report_missing_packages)
-  get_property(missing GLOBAL PROPERTY missing_packages)
-  if(missing)
-    list(JOIN missing " " missing)
-    # CMake leaves indented lines unwrapped, so the command can be copied.
-    message(FATAL_ERROR " Missing packages. On Debian: apt-get install ${missing}")
-  endif()
 endfunction()
