@@ -12,7 +12,7 @@
 #include "common_options.h"
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
-#include "raytracing/scene/limits.h"
+#include "raytracing/sampling/sampler.h"
 #include "raytracing/study/chart_runs.h"
 #include "raytracing/study/error_metrics.h"
 #include "scene_input.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/scene/limits.h"
+#include "raytracing/scene/camera.h"
 #include "scene_input.h"
 
 namespace raytracing {

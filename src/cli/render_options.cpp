@@ -9,7 +9,8 @@
 #include "raytracing/io/image_file.h"
 #include "raytracing/io/nearest_name.h"
 #include "raytracing/render/pixel_groups.h"
-#include "raytracing/scene/limits.h"
+#include "raytracing/sampling/sampler.h"
+#include "raytracing/scene/camera.h"
 #include "scene_input.h"
 
 namespace raytracing {

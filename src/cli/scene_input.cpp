@@ -11,7 +11,7 @@
 #include "raytracing/integrator/direct_method.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/math/numeric.h"
-#include "raytracing/scene/far_scene.h"
+#include "raytracing/scene/recenter.h"
 #include "terminal.h"
 
 namespace raytracing {
@@ -51,13 +51,13 @@ std::string to_text(const LoadReport::Entry& e) {
 Vec3 move_to_origin(SceneDescription& scene) {
   // Relative to half the scene's size; rounding far above this is visible in the shapes.
   constexpr float kTolerableRounding = 1e-4f;
-  const FarPlace place = far_place(scene);
+  const Recentering place = find_recentering(scene);
   if (place.rounding > kTolerableRounding)
     fmt::print(stderr,
                "warning: the scene lies so far from the origin that its coordinates are rounded to "
                "{:.1g} of half its size; move it closer to the origin\n",
                place.rounding);
-  move_scene(scene, place.origin);
+  recenter(scene, place.origin);
   return place.origin;
 }
 
@@ -135,11 +135,11 @@ void SceneInput::report_building() const {
     fmt::print(stderr, "{}, {}, {}\n", counted(scene_->geometry().triangles().size(), "triangle"),
                counted(scene_->geometry().spheres().size(), "sphere"), counted(lights, "light"));
   if (lights == 0) fmt::print(stderr, "warning: the scene has no light; the image will be black\n");
-  if (notes.averted_lights > 0)
+  if (notes.lights_facing_nothing > 0)
     fmt::print(stderr,
                "warning: lights that face away from everything: {} of {}; a light emits to the "
                "side from which its vertices appear counter-clockwise\n",
-               notes.averted_lights, lights);
+               notes.lights_facing_nothing, lights);
   if (notes.split_lights > 0)
     fmt::print(stderr,
                "repaired: emitting faces that are not flat and convex: {}; each of their triangles "

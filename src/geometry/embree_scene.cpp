@@ -10,7 +10,7 @@
 namespace raytracing {
 namespace {
 
-// Embree picks AVX-512 where it can, which is slower on small scenes; AVX2 is the widest it needs.
+// Limits Embree to AVX2: it would choose AVX-512 where it can, which is slower on small scenes.
 std::string device_options(int threads) {
   std::string options = "threads=" + std::to_string(threads);
 #if defined(__x86_64__)
@@ -35,7 +35,7 @@ void sphere_bounds(const RTCBoundsFunctionArguments* args) {
                      s.center.x + r, s.center.y + r, s.center.z + r, 0};
 }
 
-// The first crossing in (tnear, tfar), or nothing.
+// Returns the first intersection in (tnear, tfar), or nothing.
 std::optional<float> sphere_crossing(const Sphere& sphere, RTCRayN* rays, unsigned n, unsigned i) {
   const Ray ray{{RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
                 {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)}};
@@ -162,9 +162,9 @@ unsigned EmbreeScene::occluded8(const Vec3& from, const float* x, const float* y
     set_ray(query, k, from, Vec3(x[k], y[k], z[k]) - from, 1);
   }
   embree::occluded8(valid, scene_.get(), query);
-  unsigned hidden = 0;
-  for (unsigned k = 0; k < 8; ++k) hidden |= (query.tfar[k] < 0 ? 1u : 0u) << k;
-  return hidden & wanted;
+  unsigned occluded = 0;
+  for (unsigned k = 0; k < 8; ++k) occluded |= (query.tfar[k] < 0 ? 1u : 0u) << k;
+  return occluded & wanted;
 }
 
 }  // namespace raytracing

@@ -1,5 +1,5 @@
 #pragma once
-// Eight numbers at once, for the walks of the OccluderTree.
+// Eight floats, and eight points, for the traversals of the OccluderTree.
 
 #include <experimental/simd>
 
@@ -12,7 +12,7 @@ inline constexpr int kLanes = 8;
 using Float8 = simd::simd<float, simd::simd_abi::deduce_t<float, kLanes>>;
 using Mask8 = Float8::mask_type;
 
-/// `values` are 8, aligned to their size.
+/// Loads 8 values, which must be aligned to 32 bytes.
 inline Float8 load(const float* values) { return Float8(values, simd::vector_aligned); }
 
 inline unsigned to_bits(const Mask8& mask) {
@@ -28,7 +28,7 @@ inline unsigned to_bits(const Mask8& mask) {
   return result;
 }
 
-/// Eight points or directions of space.
+/// Eight points or directions.
 struct Points {
   Float8 x, y, z;
 };

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "direct_methods.h"
-#include "raytracing/lights/chord_sample.h"
+#include "raytracing/lights/chord.h"
 #include "raytracing/materials/bsdf.h"
 
 namespace raytracing {

@@ -6,7 +6,7 @@
 
 #include "raytracing/integrator/direct_method.h"
 #include "raytracing/materials/bsdf.h"
-#include "raytracing/sampling/warp.h"
+#include "raytracing/sampling/mis.h"
 
 namespace raytracing {
 

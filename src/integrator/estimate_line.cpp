@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "direct_methods.h"
+#include "raytracing/lights/chord.h"
 #include "raytracing/lights/chord_integral.h"
-#include "raytracing/lights/chord_sample.h"
 
 namespace raytracing {
 namespace {

@@ -12,7 +12,7 @@
 #include "raytracing/integrator/shade.h"
 
 #include "path_steps.h"
-#include "raytracing/sampling/warp.h"
+#include "raytracing/sampling/mis.h"
 
 namespace raytracing {
 namespace {

@@ -4,7 +4,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "raytracing/geometry/triangulate.h"
+#include "raytracing/geometry/polygon_mesh.h"
 
 namespace raytracing {
 namespace {

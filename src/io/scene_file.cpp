@@ -9,8 +9,8 @@
 #include "model_loader.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/nearest_name.h"
+#include "raytracing/sampling/sampler.h"
 #include "raytracing/scene/camera.h"
-#include "raytracing/scene/limits.h"
 #include "toml_reader.h"
 
 namespace raytracing {

@@ -1,14 +1,13 @@
 #include "raytracing/lights/area_light.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "raytracing/geometry/ray.h"
-#include "raytracing/geometry/triangulate.h"
+#include "raytracing/geometry/polygon_mesh.h"
 #include "raytracing/math/numeric.h"
+#include "raytracing/sampling/spherical.h"
 #include "raytracing/sampling/warp.h"
-#include "usable_solid_angle.h"
 
 namespace raytracing {
 namespace {
@@ -22,36 +21,44 @@ Vec3 longest_edge(std::span<const Vec3> corners) {
   return normalize(best);
 }
 
-std::vector<float> fan_areas(std::span<const Vec3> corners, const Vec3& normal) {
-  std::vector<float> areas;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Vec3 twice = cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-    areas.push_back(std::max(0.0f, dot(twice, normal) / 2));
-  }
-  return areas;
-}
-
-// Equality up to a few roundings of the coordinates themselves.
+// Returns true when the points are equal up to a few roundings of their coordinates.
 bool same_point(const Vec3& a, const Vec3& b, float error) {
   return max_component(absolute(a - b)) <= error;
 }
 
-std::array<Vec3, 3> fan_triangle(const AreaLight& light, std::uint32_t i) {
+// The triangles of the fan around the first corner make up the polygon.
+std::size_t fan_size(const AreaLight& light) { return light.corners.size() - 2; }
+std::array<Vec3, 3> fan_triangle(const AreaLight& light, std::size_t i) {
   return {light.corners[0], light.corners[i + 1], light.corners[i + 2]};
 }
 
-// Solid angles of the fan's triangles and their sum.
-struct FanSolidAngles {
-  std::vector<float> each;
+float fan_area(const AreaLight& light, std::size_t i) {
+  const auto [a, b, c] = fan_triangle(light, i);
+  return std::max(0.0f, dot(cross(b - a, c - a), light.normal) / 2);
+}
+
+double fan_solid_angle(const AreaLight& light, const Vec3& from) {
   double sum = 0;
-  FanSolidAngles(const AreaLight& light, const Vec3& from) {
-    for (std::uint32_t i = 0; i < light.fan.size(); ++i) {
-      const SphericalTriangle triangle(fan_triangle(light, i), from);
-      each.push_back(static_cast<float>(triangle.solid_angle()));
-      sum += triangle.solid_angle();
+  for (std::size_t i = 0; i < fan_size(light); ++i)
+    sum += SphericalTriangle(fan_triangle(light, i), from).solid_angle();
+  return sum;
+}
+
+// Samples a triangle of the fan with a probability proportional to its weight. The random number u
+// becomes one for the triangle. The sum of the weights is `total`, up to rounding.
+template <class Weight>
+std::size_t choose_from_fan(const AreaLight& light, double total, float& u, const Weight& weight) {
+  double rest = static_cast<double>(u) * total;
+  for (std::size_t i = 0;; ++i) {
+    const double own = weight(i);
+    if (rest < own || i + 1 == fan_size(light)) {
+      const double fraction = own > 0 ? rest / own : 0;
+      u = static_cast<float>(std::clamp(fraction, 0.0, static_cast<double>(kOneMinus)));
+      return i;
     }
+    rest -= own;
   }
-};
+}
 
 std::optional<SolidAngleSample> sample_by_area(const AreaLight& light, const Vec3& from,
                                                const Vec2& u) {
@@ -70,15 +77,13 @@ AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
   for (const Vec3& c : corners)
     max_coordinate = std::max(max_coordinate, max_component(absolute(c)));
   error = position_error(max_coordinate);
-  fan = DiscreteDistribution(fan_areas(corners, normal));
   const Vec3 along = longest_edge(corners);
   chords = {ChordSet(corners, normal, along), ChordSet(corners, normal, cross(normal, along))};
 
+  is_parallelogram =
+      corners.size() == 4 && same_point(corners[0] + corners[2], corners[1] + corners[3], error);
   const Vec3 x = corners[1] - corners[0], y = corners.back() - corners[0];
-  if (corners.size() != 4 || !same_point(corners[0] + corners[2], corners[1] + corners[3], error))
-    return;
-  parallelogram = Parallelogram{corners[0], x, y};
-  if (std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
+  if (is_parallelogram && std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
     rectangle = Rectangle{corners[0], normalize(x), normalize(y), length(x), length(y)};
 }
 
@@ -86,11 +91,16 @@ bool AreaLight::faces(const Vec3& from) const { return dot(from - corners[0], no
 
 float AreaLight::power() const { return kPi * area * (Le.x + Le.y + Le.z) / 3; }
 
-Vec3 sample_fan(const AreaLight& light, const Vec2& u) {
-  const auto choice = light.fan.sample(u.x);
-  const auto [a, b, d] = fan_triangle(light, choice.index);
-  const Vec2 w = square_to_triangle({choice.u, u.y});
-  return a + w.x * (b - a) + w.y * (d - a);
+Vec3 sample_area(const AreaLight& light, const Vec2& u) {
+  const Vec3& corner = light.corners[0];
+  if (light.is_parallelogram)
+    return corner + u.x * (light.corners[1] - corner) + u.y * (light.corners[3] - corner);
+  Vec2 v = u;
+  const std::size_t i = choose_from_fan(light, static_cast<double>(light.area), v.x,
+                                        [&](std::size_t k) { return fan_area(light, k); });
+  const auto [a, b, c] = fan_triangle(light, i);
+  const Vec2 w = square_to_triangle(v);
+  return a + w.x * (b - a) + w.y * (c - a);
 }
 
 std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const Vec3& from,
@@ -98,24 +108,28 @@ std::optional<SolidAngleSample> sample_solid_angle(const AreaLight& light, const
   if (!light.faces(from)) return std::nullopt;
   if (light.rectangle) {
     const SphericalRectangle seen(*light.rectangle, from);
-    if (!is_usable(seen.solid_angle())) return sample_by_area(light, from, u);
+    if (!is_usable_solid_angle(seen.solid_angle())) return sample_by_area(light, from, u);
     return SolidAngleSample{seen.sample(u), static_cast<float>(1 / seen.solid_angle())};
   }
-  const FanSolidAngles seen(light, from);
-  if (!is_usable(seen.sum)) return sample_by_area(light, from, u);
-  const auto choice = DiscreteDistribution(seen.each).sample(u.x);
-  const SphericalTriangle triangle(fan_triangle(light, choice.index), from);
-  const std::optional<Vec3> q = triangle.sample({choice.u, u.y});
+  const double solid_angle = fan_solid_angle(light, from);
+  if (!is_usable_solid_angle(solid_angle)) return sample_by_area(light, from, u);
+  Vec2 v = u;
+  std::optional<SphericalTriangle> chosen;
+  choose_from_fan(light, solid_angle, v.x, [&](std::size_t i) {
+    return chosen.emplace(fan_triangle(light, i), from).solid_angle();
+  });
+  const std::optional<Vec3> q = chosen->sample(v);
   if (!q) return std::nullopt;
-  return SolidAngleSample{*q, static_cast<float>(1 / seen.sum)};
+  return SolidAngleSample{*q, static_cast<float>(1 / solid_angle)};
 }
 
 float solid_angle_pdf_w(const AreaLight& light, const Vec3& from, const Vec3& q) {
   if (!light.faces(from)) return 0;
   const double solid_angle = light.rectangle
                                  ? SphericalRectangle(*light.rectangle, from).solid_angle()
-                                 : FanSolidAngles(light, from).sum;
-  return is_usable(solid_angle) ? static_cast<float>(1 / solid_angle) : area_pdf_w(light, from, q);
+                                 : fan_solid_angle(light, from);
+  return is_usable_solid_angle(solid_angle) ? static_cast<float>(1 / solid_angle)
+                                            : area_pdf_w(light, from, q);
 }
 
 }  // namespace raytracing

@@ -8,8 +8,8 @@
 namespace raytracing {
 namespace {
 
-// (x - sin x) / sin^3 x for the angle x in (0, pi) with this sine and cosine; by its series in the
-// square of the sine where the difference would cancel.
+// Returns (x - sin x) / sin^3 x for the angle x in (0, pi) with this sine and cosine. Where the
+// difference would cancel, it is a series in the square of the sine.
 float angle_excess(float sine, float cosine) {
   const float s2 = square(sine);
   if (sine < 0.343f && cosine > 0)
@@ -24,7 +24,7 @@ SeenChord::SeenChord(const Chord& chord, const Vec3& from, const Vec3& light_nor
   const Vec3 to_begin = chord.begin - from;
   const Vec3 to_end = to_begin + chord.length * chord.direction;
   begin_ = dot(to_begin, direction_);
-  // From the nearer end: the farther one brings the larger rounding.
+  // The foot is computed from the nearer end, which has the smaller rounding error.
   if (dot(to_begin, to_begin) <= dot(to_end, to_end)) {
     foot_ = to_begin - begin_ * direction_;
   } else {
@@ -58,7 +58,7 @@ float SeenChord::irradiance(const Vec3& n, const Interval& part) const {
   const float sine = std::sqrt(foot_distance2_) * q;
   const float cosine = (foot_distance2_ + s0 * s1) / product;
   const float sum = plus_product_of_roots(foot_distance2_, s0, s1, product);
-  const float difference = (s0 + s1) * length / (l0 + l1);  // l1 - l0, without its cancellation
+  const float difference = (s0 + s1) * length / (l0 + l1);  // l1 - l0 without cancellation
   const float e = q * q * q * angle_excess(sine, cosine) +
                   q / product * (difference * difference + length * length) / (2 * sum);
   const float n_foot = dot(n, foot_);

@@ -9,13 +9,14 @@
 namespace raytracing {
 namespace {
 
-constexpr float kStep = 0x1p-24f;  // of the uniform numbers: unit_float()
+// The spacing of the uniform numbers of unit_float(), and their count.
+constexpr float kStep = 0x1p-24f;
 constexpr double kSteps = 0x1p24;
 
 }  // namespace
 
-// The borders between the choices are whole steps too. Each positive weight gets one step for
-// itself, which no rounding takes, and its share of the rest.
+// The cumulative sums are whole steps too. Each positive weight gets one step of its own, which
+// rounding cannot remove, and its fraction of the remaining steps.
 DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   const auto positive = static_cast<double>(

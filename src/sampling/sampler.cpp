@@ -6,7 +6,7 @@
 namespace raytracing {
 namespace {
 
-// Odd constants that tell the streams of one key apart.
+// Odd constants that separate the random streams of one key.
 constexpr std::uint32_t kShuffle = 0x9e3779b9u;
 constexpr std::uint32_t kScrambleX = 0x85ebca6bu;
 constexpr std::uint32_t kScrambleY = 0xc2b2ae35u;
@@ -25,7 +25,7 @@ std::optional<SamplerKind> sampler_kind(std::string_view name) {
   return std::nullopt;
 }
 
-// The sequence has 2^32 points; further samples start another scrambling.
+// The sequence has 2^32 points; further samples use another scrambling.
 std::uint64_t PathSampler::epoch(SamplerKind kind, std::uint64_t sample, std::uint64_t replicate) {
   return (replicate << 40) + (kind == SamplerKind::sobol ? sample >> 32 : sample);
 }
@@ -81,14 +81,14 @@ void PathSampler::make_batch(std::uint32_t index) {
 }
 
 void PathSampler::make_sobol(const Scrambles& scrambles) {
-  // The points, bit-reversed, each pair in an order of its own.
+  // The points are bit-reversed. Each pair shuffles their order independently.
   alignas(64) std::uint32_t points_x[kBatch], points_y[kBatch];
   const std::uint32_t reversed = reversed_sample_;
   for (std::uint32_t i = 0; i < kBatch; ++i) {
     points_x[i] = reverse_bits(scramble_reversed(reversed, scrambles.shuffle[i]));
     points_y[i] = reversed_sobol2(points_x[i]);
   }
-  if (first_ == 0) {  // pairs 0 and 1 are one point in 4D
+  if (first_ == 0) {  // pairs 0 and 1 form one 4D point
     points_x[1] = kSobol3.reversed(points_x[0]);
     points_y[1] = kSobol4.reversed(points_x[0]);
   }

@@ -10,30 +10,34 @@
 namespace raytracing {
 namespace {
 
-// Keeps the planes of an observer on the line of an edge free of 0 / 0.
-constexpr double kSmallest = std::numeric_limits<float>::min();
+// The smallest distance of an edge from the point, squared; it prevents 0 / 0 for a point on the
+// line of an edge.
+constexpr double kMinDistance2 = std::numeric_limits<float>::min();
 
-// Solid angles that leave float enough digits for the warp. Smaller and larger ones are differences
-// of angles almost equal: 2 pi is that of the whole plane.
+// The range of solid angles for which float has enough digits to sample. Smaller and larger ones
+// are differences of nearly equal angles (2 pi is the solid angle of the whole plane).
 constexpr double kFloatLow = 0.01, kFloatHigh = 6;
-// Of the distance beside the rectangle over the height above its plane. The warp takes the height
-// from the difference of a squared cosine from 1, and that from the distance's square.
+// The largest ratio, for which float suffices, of the distance beside the rectangle to the height
+// above its plane: sampling computes the height from the small difference of a squared cosine
+// and 1.
 constexpr double kFloatBeside = 16;
 
-// The plane through the observer and one edge, by the angle of its normal from the rectangle's.
+// The plane through the point and one edge, given by the angle between its normal and that of the
+// rectangle.
 struct EdgePlane {
   double cosine, sine;
-  // `offset` of the edge from the observer's foot, inwards; `height` of the observer.
+  // `offset` is the inward distance of the edge from the foot of the point, and `height` is the
+  // height of the point.
   EdgePlane(double offset, double height) {
-    const double distance = std::sqrt(std::max(height * height + offset * offset, kSmallest));
+    const double distance = std::sqrt(std::max(height * height + offset * offset, kMinDistance2));
     cosine = offset / distance;
     sine = height / distance;
   }
 };
 
-// The angle between neighbouring planes, whose cosine is -a b, as a unit complex number (cosine,
-// sine). Its sine comes without cancellation from the sines, which an observer close to the
-// rectangle's plane needs.
+// Returns the angle between neighbouring planes, whose cosine is -a b, as a unit complex number
+// (cosine, sine). The sine is computed from the sines without cancellation, which matters for a
+// point close to the plane of the rectangle.
 DVec2 inner_angle(const EdgePlane& a, const EdgePlane& b) {
   return {-a.cosine * b.cosine, std::sqrt(square(a.sine) + square(a.cosine * b.sine))};
 }
@@ -43,8 +47,9 @@ float root(float x) { return safe_sqrt(x); }
 
 }  // namespace
 
-// In double: the solid angle is a small difference where the rectangle is seen from near its plane,
-// and the rounding of its angles would be the same for all samples of a point, a bias.
+// This is computed in double: for a point near the plane of the rectangle the solid angle is a
+// small difference of angles. Their rounding would be the same for all samples at the point and
+// thus bias the estimate.
 SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& from)
     : from_(from), x_(rectangle.x), y_(rectangle.y), z_(cross(rectangle.x, rectangle.y)) {
   const DVec3 d = DVec3(rectangle.corner) - DVec3(from);
@@ -59,8 +64,8 @@ SphericalRectangle::SphericalRectangle(const Rectangle& rectangle, const Vec3& f
   y1_ = y0_ + static_cast<double>(rectangle.height);
 
   const EdgePlane n0(-y0_, -z0_), n1(x1_, -z0_), n2(y1_, -z0_), n3(-x0_, -z0_);
-  // The rectangle's inner angles on the sphere as unit complex numbers; their product turns by
-  // solid angle + 2 pi. Ureña's k = 2 pi - g2 - g3 stays a complex number too.
+  // The inner angles of the spherical rectangle are unit complex numbers; the angle of their
+  // product is solid angle + 2 pi. Ureña's k = 2 pi - g2 - g3 is a complex number too.
   const DVec2 g01 = complex_product(inner_angle(n0, n1), inner_angle(n1, n2));
   const DVec2 g23 = complex_product(inner_angle(n2, n3), inner_angle(n3, n0));
   const DVec2 all = complex_product(g01, g23);
@@ -109,10 +114,7 @@ Vec3 SphericalRectangle::sample(const Vec2& u) const {
 SphericalRectangle::Strip SphericalRectangle::strip(float u) const {
   const double x = needs_double() ? sample_x<double>(u) : static_cast<double>(sample_x<float>(u));
   const double d2 = x * x + z0_ * z0_;
-  const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
-  const double h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
-  return {static_cast<float>(x - x0_), static_cast<float>(-z0_ * (h1 - h0) / (d2 * solid_angle_)),
-          y0_, d2};
+  return {static_cast<float>(x - x0_), y0_, d2};
 }
 
 SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const Vec3& from)
@@ -133,7 +135,8 @@ SphericalTriangle::SphericalTriangle(const std::array<Vec3, 3>& corners, const V
 
 std::optional<Vec3> SphericalTriangle::sample(const Vec2& u) const {
   if (!(solid_angle_ > 0) || height_ == 0) return std::nullopt;
-  // The sub-triangle (A, B, C') with the share u.x of the area: Arvo's q is cos of the arc AC'.
+  // The sub-triangle (A, B, C') has the fraction u.x of the area; Arvo's q is the cosine of the arc
+  // AC'.
   const double phi = u.x * solid_angle_ - alpha_;
   const double s = std::sin(phi), t = std::cos(phi);
   const double sin_alpha = std::sin(alpha_), cos_alpha = std::cos(alpha_);
@@ -145,13 +148,14 @@ std::optional<Vec3> SphericalTriangle::sample(const Vec2& u) const {
   const DVec3 towards_c = c_ - dot(c_, a_) * a_;
   const DVec3 c_prime =
       q * a_ + std::sqrt(std::max(0.0, 1 - q * q)) * (towards_c / length(towards_c));
-  // A point on the arc from B to C', uniform in the cosine of its distance from B.
+  // The point on the arc from B to C' is uniform in the cosine of its distance from B.
   const double z = 1 - u.y * (1 - dot(c_prime, b_));
   const DVec3 towards = c_prime - dot(c_prime, b_) * b_;
   const double span = length(towards);
   const DVec3 w =
       span > 0 ? z * b_ + std::sqrt(std::max(0.0, (1 - z) * (1 + z))) * (towards / span) : b_;
-  // In double too: a direction rounded to float that grazes the plane meets it far away.
+  // The intersection is computed in double: a direction at a grazing angle to the plane, rounded to
+  // float, would intersect it far away.
   return Vec3(from_ + (height_ / dot(w, normal_)) * w);
 }
 

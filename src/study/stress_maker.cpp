@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "raytracing/geometry/triangulate.h"
+#include "raytracing/geometry/polygon_mesh.h"
 
 namespace raytracing::stress {
 

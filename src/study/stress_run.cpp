@@ -10,7 +10,7 @@
 
 #include "raytracing/integrator/shade.h"
 #include "raytracing/render/threads.h"
-#include "raytracing/scene/far_scene.h"
+#include "raytracing/scene/recenter.h"
 #include "raytracing/study/power_law.h"
 #include "stress_maker.h"
 
@@ -106,7 +106,7 @@ std::vector<StressCell> measure_setting(const StressCase& c, const StressSetting
                                         const std::atomic<bool>& stop) {
   const StressScene made = setting.make();
   // As for any scene that is rendered.
-  const StressScene stress = stress::transformed(made, 1, -far_place(made.scene).origin);
+  const StressScene stress = stress::transformed(made, 1, -find_recentering(made.scene).origin);
   const Scene scene(stress.scene, 1);
   const auto hit = scene.geometry().closest_hit(stress.ray);
   if (!hit) throw std::runtime_error(fmt::format("{} {}: no receiver", c.name, setting.label));

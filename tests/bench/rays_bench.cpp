@@ -9,7 +9,7 @@
 #include "raytracing/integrator/direct_method.h"
 #include "raytracing/integrator/visibility.h"
 #include "raytracing/io/scene_file.h"
-#include "raytracing/lights/chord_sample.h"
+#include "raytracing/lights/chord.h"
 #include "raytracing/sampling/warp.h"
 #include "raytracing/scene/camera.h"
 #include "support/statistics.h"

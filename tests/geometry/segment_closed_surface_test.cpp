@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "raytracing/geometry/occluder_tree.h"
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
 #include "support/segment_reference.h"
 
 namespace raytracing {

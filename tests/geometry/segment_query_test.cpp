@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "raytracing/geometry/occluder_tree.h"
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
 #include "support/segment_reference.h"
 
 namespace raytracing {
@@ -152,7 +152,6 @@ TEST(SegmentQuery, EqualsRaysInABigScene) {
   ASSERT_GT(scene.triangles.size(), 100000u);
   const EmbreeScene embree = scene.embree();
   const OccluderTree tree = scene.build();
-  EXPECT_GT(tree.node_count(), 1000u);
   int hidden = 0;
   for (int i = 0; i < 60; ++i) {
     const SegmentQuery q = random_query(random, Vec3(0.0f), 1);

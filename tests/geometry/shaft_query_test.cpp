@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "raytracing/geometry/occluder_tree.h"
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
 #include "support/scenes.h"
 #include "support/segment_reference.h"
 

@@ -1,11 +1,11 @@
-#include "raytracing/geometry/triangulate.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
+
+#include "raytracing/geometry/polygon_mesh.h"
 
 namespace raytracing {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "io/parse_obj_text.h"
-#include "raytracing/geometry/triangulate.h"
+#include "raytracing/geometry/polygon_mesh.h"
 
 namespace raytracing {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "raytracing/geometry/triangulate.h"
+#include "raytracing/geometry/polygon_mesh.h"
 #include "support/scene_folder.h"
 
 namespace raytracing {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "raytracing/math/frame.h"
 #include "raytracing/math/numeric.h"
+#include "raytracing/math/vec.h"
 #include "support/planar_polygon.h"
 
 namespace raytracing {
@@ -73,8 +73,8 @@ TEST(AreaLight, KnowsItsShape) {
     EXPECT_NEAR(dot(light.normal, normalize(Vec3(1, -2, 3))), 1, 1e-6) << name;
     EXPECT_EQ(light.rectangle.has_value(), std::string(name) == "rectangle");
   }
-  EXPECT_TRUE(shapes()[1].light.parallelogram && shapes()[2].light.parallelogram);
-  EXPECT_FALSE(shapes()[3].light.parallelogram);
+  EXPECT_TRUE(shapes()[1].light.is_parallelogram && shapes()[2].light.is_parallelogram);
+  EXPECT_FALSE(shapes()[3].light.is_parallelogram);
 }
 
 TEST(AreaLight, SampleAreaIsUniform) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
 #include "raytracing/study/exact_polygons.h"
 #include "support/statistics.h"
 

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "raytracing/math/frame.h"
 #include "raytracing/math/numeric.h"
+#include "raytracing/math/vec.h"
 #include "support/planar_polygon.h"
 
 namespace raytracing {

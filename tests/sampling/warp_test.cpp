@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "raytracing/sampling/mis.h"
 #include "support/statistics.h"
 
 namespace raytracing {

@@ -4,7 +4,7 @@
 
 #include "raytracing/integrator/direct_method.h"
 #include "raytracing/io/scene_file.h"
-#include "raytracing/lights/chord_sample.h"
+#include "raytracing/lights/chord.h"
 #include "raytracing/render/threads.h"
 #include "raytracing/scene/camera.h"
 #include "raytracing/study/power_law.h"

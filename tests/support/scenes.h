@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/geometry/triangulate.h"
+#include "raytracing/geometry/polygon_mesh.h"
 #include "raytracing/scene/scene.h"
 
 namespace raytracing {

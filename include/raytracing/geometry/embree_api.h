@@ -1,6 +1,6 @@
 #pragma once
-// The one place that knows which Embree this is: 3 (Debian 12) or 4 (Debian 13, Ubuntu 24.04).
-// Embree 4 replaced the intersect context by optional query arguments; the rest used here is equal.
+// Wrappers for Embree 3 (Debian 12) and Embree 4 (Debian 13, Ubuntu 24.04). Only this file depends
+// on the version: Embree 4 replaced the intersect context by optional query arguments.
 
 #include <cstring>
 
@@ -16,13 +16,13 @@ namespace raytracing::embree {
 
 using Float4 [[gnu::vector_size(16)]] = float;
 
-/// The first 32 bytes of a ray. Embree reads them as two vectors, so they are written as two: a
-/// load that spans several stores has to wait until all of them have reached the cache.
+/// The first 32 bytes of a ray. They are written as two vectors because Embree reads them as two: a
+/// load that spans several stores has to wait until all of these have reached the cache.
 struct RayHead {
   Float4 origin_and_near, direction_and_time;
 };
 
-/// A ray from `origin` to origin + far * direction.
+/// Makes a ray from `origin` to origin + far * direction.
 inline RTCRay ray(const Vec3& origin, const Vec3& direction, float far) {
   RTCRay ray;
   const RayHead head{{origin.x, origin.y, origin.z, 0}, {direction.x, direction.y, direction.z, 0}};

@@ -8,18 +8,17 @@
 #include <vector>
 
 #include "raytracing/geometry/embree_api.h"
-#include "raytracing/geometry/ray.h"
-#include "raytracing/geometry/sphere.h"
+#include "raytracing/geometry/shapes.h"
 
 namespace raytracing {
 
-/// Where a ray meets the scene first.
+/// The closest intersection of a ray with the scene.
 struct Hit {
   enum class Kind : std::uint32_t { triangle, sphere };
   Kind kind;
-  std::uint32_t index;  ///< of the triangle or the sphere
+  std::uint32_t index;  ///< index of the triangle or the sphere
   float t;              ///< ray parameter
-  float u, v;           ///< barycentric weights of a triangle's second and third corner
+  float u, v;           ///< barycentric weights of the second and third corner of a triangle
 };
 
 /// Triangles and spheres in an Embree BVH. Immutable once built; queries are thread-safe.
@@ -29,18 +28,20 @@ class EmbreeScene {
     std::uint32_t corners[3];
   };
 
-  /// Takes over the geometry. `threads` >= 1 build the BVH. Throws std::runtime_error with Embree's
-  /// message when it reports an error.
+  /// Takes ownership of the geometry and builds the BVH with `threads` >= 1 threads. Throws
+  /// std::runtime_error with the message of Embree when it reports an error.
   EmbreeScene(std::vector<Vec3> positions, std::vector<Triangle> triangles,
               std::vector<Sphere> spheres, int threads);
 
+  /// Returns the closest hit, or nothing when the ray leaves the scene.
   std::optional<Hit> closest_hit(const Ray& ray) const;
-  /// The same for up to 8 rays that run much alike, as those of neighbouring pixels do.
+  /// Finds the closest hits of up to 8 coherent rays, such as those of neighbouring pixels.
   void closest_hits8(std::span<const Ray> rays, std::optional<Hit>* hits) const;
-  /// True when something lies strictly between the points `from` and `to`.
+  /// Returns true when something lies strictly between the points `from` and `to`.
   bool occluded(const Vec3& from, const Vec3& to) const;
-  /// The same for 8 segments that share the point `from`: bit k tells of the end (x[k], y[k],
-  /// z[k]). Only the bits that are set in `wanted` are looked at; the others stay 0.
+  /// Tests 8 segments that share the point `from`. Bit k of the result is set when the end (x[k],
+  /// y[k], z[k]) is occluded. Only the segments whose bits are set in `wanted` are tested; the
+  /// other bits are 0.
   unsigned occluded8(const Vec3& from, const float* x, const float* y, const float* z,
                      unsigned wanted) const;
 
@@ -59,7 +60,7 @@ class EmbreeScene {
   void add_triangles();
   void add_spheres();
 
-  // Shared with Embree, which reads 16 bytes from each position: the vector has one more.
+  // Embree reads 16 bytes at each position, so this vector has one position more.
   std::vector<Vec3> positions_;
   std::size_t position_count_;
   std::vector<Triangle> triangles_;
@@ -68,7 +69,7 @@ class EmbreeScene {
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
-// Here for the compiler to keep rays and hits in registers.
+// These bodies are inline so that the compiler keeps rays and hits in registers.
 
 inline std::optional<Hit> EmbreeScene::found(unsigned geometry, unsigned primitive, float t,
                                              float u, float v) {
@@ -91,7 +92,7 @@ inline bool EmbreeScene::occluded(const Vec3& from, const Vec3& to) const {
   return query.tfar < 0;
 }
 
-/// "Embree 3.13.5", as compiled against.
+/// Returns the version that the program was compiled against, for example "Embree 3.13.5".
 const char* embree_version();
 
 }  // namespace raytracing

@@ -1,37 +1,37 @@
 #pragma once
 
-#include "raytracing/lights/chords.h"
+#include "raytracing/lights/chord.h"
 #include "raytracing/math/interval_set.h"
 #include "raytracing/math/vec.h"
 
 namespace raytracing {
 
-/// A chord of a light as seen from a point: what all integrals over parts of it share. Parts are
-/// given by parameters of the chord in [0,1], so that no rounded end points come between.
+/// A chord of a light as seen from a point, with the terms that all integrals over its parts share.
+/// A part is given by parameters of the chord in [0,1], which avoids rounded end points.
 class SeenChord {
  public:
-  /// `light_normal` is the unit normal of the chord's light.
+  /// `light_normal` is the unit normal of the light.
   SeenChord(const Chord& chord, const Vec3& from, const Vec3& light_normal);
 
-  /// The part of `whole` where n . (x - from) >= 0: above the horizon of the normal n.
+  /// Returns the part of `whole` above the horizon of the normal n: where n . (x - from) >= 0.
   Interval above_horizon(const Vec3& n, const Interval& whole) const;
 
-  /// Integral over the part, by length, of (n . w) (light_normal . -w) / r^2, with w the direction
-  /// from the point and r the distance: the irradiance of a unit of width of the light at unit
-  /// radiance. `part` must lie above the horizon of n. Exact up to rounding, a relative 1e-5 in the
-  /// worst cases known: the form keeps its digits where the textbook's difference of two
-  /// antiderivatives has none, with the point near the chord's line (the integral of Billen & Dutré
-  /// 2016).
+  /// Returns the integral over the length of the part of (n . w) (light_normal . -w) / r^2, where w
+  /// is the direction from the point and r the distance. This is the irradiance per unit width of
+  /// the light at unit radiance, the integral of Billen & Dutré 2016. `part` must lie above the
+  /// horizon of n. The result is exact up to rounding, with a relative error of 1e-5 in the worst
+  /// known cases: unlike the difference of two antiderivatives, this form does not cancel for a
+  /// point near the line of the chord.
   float irradiance(const Vec3& n, const Interval& part) const;
 
  private:
   float position(float t) const { return begin_ + t * length_; }
 
   Vec3 direction_;
-  Vec3 foot_;  // from the point to the nearest point of the chord's line
+  Vec3 foot_;  // the nearest point of the line of the chord, relative to the point
   float foot_distance2_;
-  float begin_, length_;  // of the chord along its line, from the foot
-  float height_;          // of the point above the light's plane
+  float begin_, length_;  // beginning of the chord relative to the foot, and its length
+  float height_;          // height of the point above the plane of the light
 };
 
 }  // namespace raytracing

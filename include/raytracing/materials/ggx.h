@@ -5,7 +5,6 @@
 
 #include "raytracing/materials/bsdf_sample.h"
 #include "raytracing/materials/material.h"
-#include "raytracing/math/circle.h"
 #include "raytracing/math/numeric.h"
 
 namespace raytracing {

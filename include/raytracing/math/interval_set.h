@@ -7,28 +7,29 @@
 
 namespace raytracing {
 
-/// A part of the parameter range of a segment.
+/// An interval of the parameter of a segment.
 struct Interval {
   float begin, end;
   float length() const { return end - begin; }
 };
 
-/// What is left of an interval after parts of it are taken away: sorted, disjoint intervals of
-/// positive length. The first few live in place; more go to the heap, none is ever dropped.
+/// A set of sorted, disjoint intervals of positive length: what remains of one interval after parts
+/// have been subtracted. The first few intervals are stored in place, more on the heap; none is
+/// ever dropped.
 class IntervalSet {
  public:
   explicit IntervalSet(const Interval& whole) : size_(whole.end > whole.begin ? 1 : 0) {
     inline_[0] = whole;
   }
 
-  /// Takes [begin, end] away. Nothing happens when end <= begin.
+  /// Removes [begin, end] from the set. The set does not change when end <= begin.
   void subtract(float begin, float end);
 
   bool empty() const { return size_ == 0; }
   std::span<const Interval> intervals() const { return {data(), size_}; }
-  /// From the first point left to the last. The set must not be empty.
+  /// The smallest interval that contains the set, which must not be empty.
   Interval hull() const { return {data()[0].begin, data()[size_ - 1].end}; }
-  /// Sum of the lengths.
+  /// The sum of the lengths of all intervals.
   float length() const;
 
  private:
@@ -39,7 +40,7 @@ class IntervalSet {
   void erase(std::size_t first, std::size_t last);
 
   std::array<Interval, kInline> inline_;
-  std::vector<Interval> heap_;  // in use when not empty; then of at least size_ elements
+  std::vector<Interval> heap_;  // holds all intervals unless it is empty; then inline_ does
   std::size_t size_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The one place that configures GLM. Every other file includes this header, never <glm/...>.
+// Vectors and orthonormal frames. This is the only file that includes and configures GLM.
 
 #include <cmath>
 
@@ -26,7 +26,7 @@ using glm::normalize;
 
 inline float max_component(const Vec3& v) { return glm::max(v.x, glm::max(v.y, v.z)); }
 inline Vec3 absolute(const Vec3& v) { return {glm::abs(v.x), glm::abs(v.y), glm::abs(v.z)}; }
-/// The product of two complex numbers: of unit ones, the sum of their angles.
+/// Multiplies two complex numbers. The product of two unit numbers adds their angles.
 template <class T>
 glm::vec<2, T> complex_product(const glm::vec<2, T>& a, const glm::vec<2, T>& b) {
   return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
@@ -36,5 +36,22 @@ template <class T>
 bool is_finite(const glm::vec<3, T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
+
+/// A right-handed orthonormal frame whose z axis is the normal.
+struct Frame {
+  Vec3 x, y, z;
+
+  /// Builds a frame around the unit vector `n` without branches (Duff et al. 2017, listing 3).
+  static Frame around(const Vec3& n) {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (sign + n.z);
+    const float b = n.x * n.y * a;
+    return {
+        {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+  }
+
+  Vec3 to_local(const Vec3& w) const { return {dot(w, x), dot(w, y), dot(w, z)}; }
+  Vec3 to_world(const Vec3& w) const { return w.x * x + w.y * y + w.z * z; }
+};
 
 }  // namespace raytracing

@@ -1,4 +1,5 @@
 #pragma once
+// Points of the Sobol' sequence and their Owen scrambling, on bit-reversed integers.
 
 #include <array>
 #include <cstdint>
@@ -14,8 +15,8 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
   return (x >> 16) | (x << 16);
 }
 
-/// A hash in which each bit of the result depends on that bit and the lower bits of `x` only: on
-/// bit-reversed numbers it is a nested uniform (Owen) scrambling (Laine & Karras 2011; Burley 2020,
+/// Scrambles a bit-reversed number by nested uniform (Owen) scrambling: a hash in which each bit of
+/// the result depends only on that bit and the lower bits of `x` (Laine & Karras 2011; Burley 2020,
 /// section 3; constants of Vegdahl 2021).
 constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
@@ -26,8 +27,9 @@ constexpr std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-/// Bit-reversed second coordinate of the 2D Sobol' sequence at `index`; the first is `index`. Its
-/// generator matrix is Pascal's triangle modulo 2, applied in five steps (Ahmed 2024).
+/// Returns the bit-reversed second coordinate of the 2D Sobol' sequence at `index`. The first
+/// bit-reversed coordinate is `index` itself. The generator matrix is Pascal's triangle modulo 2,
+/// applied in five steps (Ahmed 2024).
 constexpr std::uint32_t reversed_sobol2(std::uint32_t index) {
   std::uint32_t y = index;
   y ^= (y >> 16) & 0x0000ffffu;
@@ -38,13 +40,13 @@ constexpr std::uint32_t reversed_sobol2(std::uint32_t index) {
   return y;
 }
 
-/// One further coordinate of the Sobol' sequence, bit-reversed, by a table for each byte of the
+/// A higher coordinate of the Sobol' sequence, bit-reversed, from one table for each byte of the
 /// index.
 class SobolCoordinate {
  public:
-  /// From the primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 and the first `degree`
-  /// direction numbers (Joe & Kuo 2008, eqs. 2 and 3). `a` holds the inner coefficients as bits,
-  /// a_1 the highest.
+  /// Builds the tables from the primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1 and the
+  /// first `degree` direction numbers (Joe & Kuo 2008, eqs. 2 and 3). The bits of `a` are the inner
+  /// coefficients; a_1 is the highest.
   constexpr SobolCoordinate(int degree, std::uint32_t a,
                             const std::array<std::uint32_t, 3>& first) {
     std::array<std::uint32_t, 32> m{};
@@ -74,7 +76,7 @@ class SobolCoordinate {
   std::array<std::array<std::uint32_t, 256>, 4> tables_{};
 };
 
-/// Third and fourth coordinate.
+/// The third and fourth coordinates.
 inline constexpr SobolCoordinate kSobol3(2, 1, {1, 3, 0});
 inline constexpr SobolCoordinate kSobol4(3, 1, {1, 3, 1});
 

@@ -10,50 +10,55 @@
 namespace raytracing {
 
 enum class SamplerKind {
-  sobol,        ///< Owen-scrambled Sobol' (Burley 2020): pairs 0 and 1 in 4D, the rest 2D
-  independent,  ///< pseudo-random numbers
+  sobol,        ///< Owen-scrambled Sobol' points (Burley 2020): pairs 0 and 1 in 4D, others in 2D
+  independent,  ///< independent pseudo-random numbers
 };
 
 std::string_view to_string(SamplerKind kind);
+/// Returns the kind of this name, or nothing.
 std::optional<SamplerKind> sampler_kind(std::string_view name);
 
-/// The uniform numbers of one sample of one pixel: a pure function of (seed, pixel, sample index,
-/// dimension), so that a picture depends neither on threads nor on order. Numbers come in pairs;
-/// pairs are made sixteen at a time, which vectorises. All numbers lie in [0,1).
+/// The largest sample count of a pixel.
+inline constexpr std::uint64_t kMaxSpp = std::uint64_t{1} << 40;
+
+/// The uniform random numbers of one sample of one pixel. They are a pure function of seed, pixel,
+/// sample index and dimension, so that a picture depends neither on the number of threads nor on
+/// their order. The numbers lie in [0,1) and come in pairs, which are generated in vectorised
+/// batches of sixteen.
 ///
-/// Replicates of one pixel have scrambles of their own: their means are independent, so that the
-/// spread of these tells the error of Sobol' samples, which the spread of the samples does not.
+/// Replicates of a pixel are scrambled independently. The variance of their means therefore
+/// estimates the error of Sobol' samples, which the variance of the samples does not.
 ///
-/// Pairs 0 and 1 are for the position in the pixel and the first light sample. Direct light is an
-/// integral over all four, and only where they are stratified together does its error fall faster
-/// than that of 2D pairs padded at random.
+/// Pairs 0 and 1 are meant for the position in the pixel and the first light sample. Direct
+/// illumination is an integral over these four dimensions. Its error falls faster than with
+/// randomly padded 2D pairs only if the four are stratified jointly.
 class PathSampler {
  public:
-  /// `sample` < 2^40 counts within the replicate; `replicate` < 2^24.
+  /// The index `sample` < kMaxSpp counts within the replicate; `replicate` must be < 2^24.
   PathSampler(SamplerKind kind, std::uint64_t seed, std::uint32_t x, std::uint32_t y,
               std::uint64_t sample, std::uint64_t replicate = 0);
 
-  /// Pair number `index` of this sample.
+  /// Returns pair `index` of this sample.
   Vec2 pair(std::uint32_t index) {
     if (index - first_ >= kBatch) make_batch(index);
     return {x_[index - first_], y_[index - first_]};
   }
 
-  /// Independent uniform number `i` that belongs to pair `index`: for methods which want more
-  /// numbers than a pair, without moving the dimensions of all that follows.
+  /// Returns the independent uniform number `i` that belongs to pair `index`. Methods that need
+  /// more numbers than a pair use it without shifting the later dimensions.
   float extra(std::uint32_t index, std::uint32_t i) const;
 
-  /// A fair coin that belongs to pair `index`: the same for all samples of a pixel (sobol), or
-  /// another for each (independent).
+  /// Returns a fair coin flip that belongs to pair `index`. It is the same for all samples of a
+  /// pixel (sobol), or independent for each (independent).
   bool coin_of_pixel(std::uint32_t index) const;
 
  private:
   friend class PixelSampler;
   static constexpr std::uint32_t kBatch = 16;
-  struct Key {  // of seed, pixel and replicate; independent: of the sample too
+  struct Key {  // hash of seed, pixel and replicate; for independent numbers, of the sample too
     std::uint32_t low, high;
   };
-  struct Scrambles {  // seeds of a batch of pairs
+  struct Scrambles {  // scrambling seeds of a batch of pairs
     alignas(64) std::array<std::uint32_t, kBatch> shuffle, x, y;
   };
   static std::uint64_t epoch(SamplerKind kind, std::uint64_t sample, std::uint64_t replicate);
@@ -66,14 +71,14 @@ class PathSampler {
 
   SamplerKind kind_;
   Key key_;
-  std::uint32_t reversed_sample_;  // bit-reversed low half of the sample index
-  std::uint32_t first_ = 0;        // pair held in x_[0], y_[0]
+  std::uint32_t reversed_sample_;  // bit-reversed low 32 bits of the sample index
+  std::uint32_t first_ = 0;        // index of the pair in x_[0], y_[0]
   alignas(64) std::array<float, kBatch> x_;
   alignas(64) std::array<float, kBatch> y_;
 };
 
-/// Makes the PathSamplers of one pixel after the other: the same as by their constructor, in less
-/// time, since it keeps what the samples of a pixel have in common.
+/// Makes the PathSamplers of the samples of a pixel. They equal those of the constructor but take
+/// less time, because the scrambling seeds of a pixel are computed once.
 class PixelSampler {
  public:
   PixelSampler(SamplerKind kind, std::uint64_t seed) : kind_(kind), seed_(seed) {}

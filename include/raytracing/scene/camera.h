@@ -1,17 +1,20 @@
 #pragma once
 
-#include "raytracing/geometry/ray.h"
+#include "raytracing/geometry/shapes.h"
 #include "raytracing/scene/description.h"
 
 namespace raytracing {
 
-/// Pinhole camera for pictures of a given size with square pixels.
+/// The largest width and height of an image, in pixels.
+inline constexpr int kMaxImageSize = 65536;
+
+/// A pinhole camera for an image of a given size with square pixels.
 class Camera {
  public:
   Camera(const CameraDescription& description, int width, int height);
 
-  /// The ray through (x, y) in pixels; (0,0) is the upper left corner of the picture. Unit
-  /// direction.
+  /// Returns the ray through the point (x, y) of the image, with a unit direction. The coordinates
+  /// are in pixels from the upper left corner.
   Ray ray(float x, float y) const;
 
  private:

@@ -9,21 +9,21 @@
 
 namespace raytracing {
 
-/// A named surface: how it reflects and what it emits.
+/// A named surface with its reflectance and emission.
 struct Surface {
   std::string name;
   Material material;
-  Rgb Le{0.0f};  ///< radiance emitted on the normal side of a face, >= 0
+  Rgb Le{0.0f};  ///< radiance emitted on the side of the normal, >= 0
 };
 
 struct SphereDescription {
   Vec3 center{0.0f};
   float radius = 1;
-  std::uint32_t surface = 0;  ///< index into SceneDescription::surfaces; must not emit
+  std::uint32_t surface = 0;  ///< index into SceneDescription::surfaces, which must not emit
 };
 
-/// Pinhole camera. Its picture is upright: up points to the top row, and with `origin` in front of
-/// the picture's plane, right is cross(target - origin, up).
+/// A pinhole camera. `up` points towards the top row of the image, and
+/// cross(target - origin, up) points to the right.
 struct CameraDescription {
   Vec3 origin{0.0f, 0.0f, 1.0f};
   Vec3 target{0.0f};
@@ -31,7 +31,7 @@ struct CameraDescription {
   float vertical_fov = 40;  ///< degrees, in (0,180)
 };
 
-/// What a scene file says, before any acceleration structure is built. Plain data.
+/// The content of a scene file, before any acceleration structure is built.
 struct SceneDescription {
   std::vector<Surface> surfaces;
   std::vector<PolygonMesh> meshes;  ///< in world space; Face::material indexes `surfaces`

@@ -9,51 +9,55 @@
 #include "raytracing/geometry/occluder_tree.h"
 #include "raytracing/lights/area_light.h"
 #include "raytracing/materials/material.h"
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
+#include "raytracing/sampling/discrete.h"
 #include "raytracing/scene/description.h"
 
 namespace raytracing {
 
-/// A point of a surface, seen from the direction wo. Normals point to the viewer's side.
+/// A path vertex: a point of a surface, seen from the direction wo. Both normals point to the side
+/// of the viewer.
 struct Vertex {
   Vec3 position;
-  float error;    ///< position_error of the surface here
+  float error;    ///< position_error of the surface
   Vec3 ng;        ///< geometric normal, unit
   Frame shading;  ///< z is the shading normal
   Vec3 wo;        ///< unit, in the shading frame; wo.z > 0
   const Material* material;
-  std::uint32_t light;  ///< index of the light this point belongs to and is seen emitting, or kNone
-  bool normal_replaced;  ///< ng is the shading normal, the interpolated one turns from the viewer
+  std::uint32_t light;   ///< index of the light that emits from here to the viewer, or kNone
+  bool normal_replaced;  ///< the interpolated normal faced away from the viewer; ng replaces it
 
-  /// The origin of a ray that leaves to the viewer's side.
+  /// Returns the origin of a ray that leaves on the side of the viewer.
   Vec3 ray_origin() const { return offset_point(position, ng, error); }
 };
 
-/// What building a scene found worth telling.
+/// Counts of the irregularities found while a scene was built.
 struct BuildNotes {
-  std::uint64_t split_lights = 0;      ///< emitting faces not planar and convex, cut into triangles
-  std::uint64_t zero_area_lights = 0;  ///< emitting triangles without area, left out as lights
-  std::uint64_t averted_lights = 0;    ///< lights with nothing on their emitting side
+  std::uint64_t split_lights = 0;  ///< emitting faces, not planar or convex, split into triangles
+  std::uint64_t zero_area_lights = 0;  ///< emitting triangles of zero area, dropped as lights
+  std::uint64_t lights_facing_nothing =
+      0;  ///< lights with no surface or camera on the emitting side
 };
 
-/// The choice of lights is a defensive mixture (Hesterberg 1995): this share of it falls evenly on
-/// all lights, the rest in proportion to their powers, so that no weight exceeds the light's own by
-/// far where the powerful ones are hidden.
+/// Lights are sampled from a defensive mixture (Hesterberg 1995): uniformly with this probability,
+/// else in proportion to their powers. It bounds the sample weights of weak lights where the
+/// powerful ones are occluded.
 inline constexpr double kEvenLightShare = 0.1;
 
-/// Everything that rendering reads. Immutable after construction.
+/// The scene as the integrators use it. Immutable after construction.
 class Scene {
  public:
-  /// `threads` >= 1 build the accelerators. Without `with_occluders`, occluders() stays empty and
-  /// takes no memory: for renderings that ask neither for segments nor share paths.
+  /// Builds the acceleration structures with `threads` >= 1 threads. Without `with_occluders`,
+  /// occluders() stays empty; renderings that neither query segments nor share paths save its
+  /// memory.
   Scene(SceneDescription description, int threads, bool with_occluders = true);
 
   const EmbreeScene& geometry() const { return geometry_; }
   const OccluderTree& occluders() const { return occluders_; }
   const CameraDescription& camera() const { return camera_; }
   std::span<const AreaLight> lights() const { return lights_; }
-  /// Chooses a light by its power or, with the probability kEvenLightShare, evenly. There must be
-  /// one.
+  /// Samples a light by its power or, with the probability kEvenLightShare, uniformly. There must
+  /// be one.
   DiscreteDistribution::Choice choose_light(float u) const { return light_choice_.sample(u); }
   std::uint32_t index_of(const AreaLight& light) const {
     return static_cast<std::uint32_t>(&light - lights_.data());
@@ -61,23 +65,24 @@ class Scene {
   float light_pmf(std::uint32_t light) const { return light_choice_.pmf(light); }
   const BuildNotes& notes() const { return notes_; }
 
+  /// Returns the vertex at the hit of the ray, seen from the origin of the ray.
   Vertex vertex(const Ray& ray, const Hit& hit) const;
 
  private:
-  /// What shading reads of a triangle, in one cache line.
+  /// The data of a triangle for shading, in one cache line.
   struct alignas(64) TriangleRecord {
     Vec3 corners[3];
     Vec3 ng;                // unit
     float error;            // position_error
     std::uint32_t surface;  // index into materials_
-    std::uint32_t light;    // or kNone
-    std::uint32_t normals;  // index into smooth_normals_, or kNone where flat
+    std::uint32_t light;    // index into lights_, or kNone
+    std::uint32_t normals;  // index into smooth_normals_, or kNone for a flat triangle
   };
   struct SmoothNormals {
     Vec3 corners[3];  // unit
   };
   struct Builder;
-  // Whether any surface, or the camera, lies on the emitting side of the light's plane.
+  // Returns true when a surface or the camera lies on the emitting side of the light.
   bool faces_anything(const AreaLight& light) const;
   Scene(Builder&& builder, int threads, bool with_occluders);
 
@@ -93,7 +98,8 @@ class Scene {
   OccluderTree occluders_;
 };
 
-// Here for the compiler to make it in place: a copy of a vertex costs more than the vertex.
+// This body is inline so that the vertex is built in place: copying it would cost more than making
+// it.
 [[gnu::always_inline]] inline Vertex Scene::vertex(const Ray& ray, const Hit& hit) const {
   Vertex v;
   Vec3 ns;
@@ -127,7 +133,8 @@ class Scene {
     ns = -ns;
     v.light = kNone;
   }
-  // An interpolated normal may turn away from the viewer near a silhouette; the true one does not.
+  // Near a silhouette the interpolated normal may face away from the viewer, unlike the geometric
+  // normal.
   v.normal_replaced = !(dot(wo, ns) > 0);
   if (v.normal_replaced) ns = v.ng;
   v.shading = Frame::around(ns);

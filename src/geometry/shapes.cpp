@@ -1,13 +1,12 @@
-#include "sphere_shadow.h"
+#include "raytracing/geometry/shapes.h"
 
 #include <array>
-#include <cmath>
 
 namespace raytracing {
 namespace {
 
-// Parameters at which what is hidden of a segment may begin or end, in order: 0, up to four more,
-// 1.
+// The sorted parameters in [0,1] at which the shadow of a sphere on a segment may begin or end: the
+// two ends, and up to four between them.
 struct Candidates {
   std::array<float, 6> values{0, 1};
   std::size_t size = 2;
@@ -20,7 +19,7 @@ struct Candidates {
   }
 };
 
-// Roots of q2 t^2 + 2 q1 t + q0.
+// Adds the roots of q2 t^2 + 2 q1 t + q0.
 void add_roots(double q2, double q1, double q0, Candidates& candidates) {
   const double discriminant = q1 * q1 - q2 * q0;
   if (!(discriminant >= 0)) return;
@@ -29,7 +28,7 @@ void add_roots(double q2, double q1, double q0, Candidates& candidates) {
   if (q != 0) candidates.add(q0 / q);
 }
 
-bool hides(const Sphere& sphere, const Vec3& p, const Vec3& q) {
+bool occludes(const Sphere& sphere, const Vec3& p, const Vec3& q) {
   const auto crossings = intersect_line(sphere, {p, q - p});
   if (!crossings) return false;
   const auto [near, far] = *crossings;
@@ -38,10 +37,11 @@ bool hides(const Sphere& sphere, const Vec3& p, const Vec3& q) {
 
 }  // namespace
 
-void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const Vec3& d,
+void subtract_shadow(const Sphere& sphere, const Vec3& p, const Vec3& a, const Vec3& d,
                      IntervalSet& visible) {
-  // With m = p - centre and the direction w(t) = a - p + t d, the line from p grazes the sphere
-  // where (m.w)^2 = w.w (m.m - r^2); the segment itself crosses it where |m + w|^2 = r^2.
+  // With m = p - centre and the direction w(t) = a - p + t d, the line from p is tangent to the
+  // sphere where (m.w)^2 = w.w (m.m - r^2); the segment itself enters or leaves it where
+  // |m + w|^2 = r^2.
   const DVec3 m = DVec3(p) - DVec3(sphere.center);
   const DVec3 w = DVec3(a) - DVec3(p), along = DVec3(d);
   const double r2 = static_cast<double>(sphere.radius) * sphere.radius;
@@ -55,7 +55,7 @@ void subtract_sphere(const Sphere& sphere, const Vec3& p, const Vec3& a, const V
   const auto& t = candidates.values;
   for (std::size_t i = 0; i + 1 < candidates.size; ++i) {
     const float middle = 0.5f * (t[i] + t[i + 1]);
-    if (hides(sphere, p, a + middle * d)) visible.subtract(t[i], t[i + 1]);
+    if (occludes(sphere, p, a + middle * d)) visible.subtract(t[i], t[i + 1]);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "raytracing/scene/far_scene.h"
+#include "raytracing/scene/recenter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,9 @@
 namespace raytracing {
 namespace {
 
-// Of the distance from the origin over half the scene's size. The coordinates then differ by less
-// than a factor of 2, and their differences are exact (Sterbenz 1974).
+// A scene is far where its distance from the origin exceeds this multiple of half its size. Its
+// coordinates then differ by less than a factor of 2, and their differences are exact (Sterbenz
+// 1974).
 constexpr float kFar = 4;
 
 struct Bounds {
@@ -31,23 +32,23 @@ Bounds bounds_of(const SceneDescription& scene) {
 
 }  // namespace
 
-FarPlace far_place(const SceneDescription& scene) {
+Recentering find_recentering(const SceneDescription& scene) {
   const auto [low, high] = bounds_of(scene);
   const float half = max_component(high - low) / 2;
-  FarPlace place;
-  if (!std::isfinite(half)) return place;
+  Recentering result;
+  if (!std::isfinite(half)) return result;
   for (int i = 0; i < 3; ++i) {
     const float middle = low[i] + (high[i] - low[i]) / 2;
     if (!(std::abs(middle) > kFar * half)) continue;
-    place.origin[i] = middle;
+    result.origin[i] = middle;
     const float size = std::abs(middle);
     const float spacing = std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
-    place.rounding = std::max(place.rounding, half > 0 ? spacing / half : 0.0f);
+    result.rounding = std::max(result.rounding, half > 0 ? spacing / half : 0.0f);
   }
-  return place;
+  return result;
 }
 
-void move_scene(SceneDescription& scene, const Vec3& origin) {
+void recenter(SceneDescription& scene, const Vec3& origin) {
   for (PolygonMesh& mesh : scene.meshes)
     for (Vec3& p : mesh.positions) p -= origin;
   for (SphereDescription& s : scene.spheres) s.center -= origin;

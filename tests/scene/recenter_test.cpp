@@ -1,6 +1,6 @@
-// Scenes far from the origin: found, moved, and no digit lost.
+// Scenes far from the origin are found and recentered without rounding.
 
-#include "raytracing/scene/far_scene.h"
+#include "raytracing/scene/recenter.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +19,15 @@ SceneDescription scene_at(const Vec3& place, float half, TestRandom& random) {
   return scene;
 }
 
-TEST(FarScene, MovingIsExact) {
+TEST(Recenter, MovingIsExact) {
   TestRandom random(1);
   for (const float distance : {5.0f, 100.0f, 1e6f, 3e7f}) {
     const Vec3 place = distance * Vec3(1.3f, -0.01f, -1);
     const SceneDescription far = scene_at(place, 1, random);
-    const FarPlace found = far_place(far);
+    const Recentering found = find_recentering(far);
     EXPECT_NEAR(found.origin.x, place.x, 1 + distance * 1e-6f);
     SceneDescription near = far;
-    move_scene(near, found.origin);
+    recenter(near, found.origin);
     for (std::size_t i = 0; i < far.meshes[0].positions.size(); ++i) {
       const Vec3& p = near.meshes[0].positions[i];
       EXPECT_EQ(DVec3(p) + DVec3(found.origin), DVec3(far.meshes[0].positions[i]));
@@ -39,19 +39,19 @@ TEST(FarScene, MovingIsExact) {
 }
 
 // The floats about 1.5e6 lie 1/8 apart.
-TEST(FarScene, RoundingIsTheSpacingOverHalfTheSize) {
+TEST(Recenter, RoundingIsTheSpacingOverHalfTheSize) {
   TestRandom random(2);
-  EXPECT_NEAR(far_place(scene_at({1.5e6f, 3, 0}, 10, random)).rounding, 0.0125f, 0.001f);
+  EXPECT_NEAR(find_recentering(scene_at({1.5e6f, 3, 0}, 10, random)).rounding, 0.0125f, 0.001f);
 }
 
-TEST(FarScene, NearScenesStayWhereTheyAre) {
+TEST(Recenter, NearScenesStayWhereTheyAre) {
   TestRandom random(3);
   for (const Vec3& place : {Vec3(0.0f), Vec3(2, 0, 0), Vec3(0, -3, 3)}) {
-    const FarPlace found = far_place(scene_at(place, 1, random));
+    const Recentering found = find_recentering(scene_at(place, 1, random));
     EXPECT_EQ(found.origin, Vec3(0.0f));
     EXPECT_EQ(found.rounding, 0);
   }
-  EXPECT_EQ(far_place({}).origin, Vec3(0.0f));
+  EXPECT_EQ(find_recentering({}).origin, Vec3(0.0f));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "raytracing/math/circle.h"
+#include "raytracing/math/numeric.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,49 @@
-#include "occluder_tree_builder.h"
+#include "raytracing/geometry/occluder_tree.h"
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 
+#include "raytracing/geometry/embree_api.h"
+
 namespace raytracing {
 
-// Embree hands these on as void*: each begins with what tells the two kinds apart.
-struct OccluderTree::TreeBuilder::Branch {
+// Builds the tree by rtcBuildBVH and copies it into the arrays of an OccluderTree.
+class OccluderTree::Builder {
+ public:
+  Builder(OccluderTree& target, std::span<const Vec3> positions,
+          std::span<const EmbreeScene::Triangle> triangles, std::span<const std::uint32_t> group)
+      : target_(target), positions_(positions), triangles_(triangles), group_(group) {}
+
+  // Fills nodes_ and blocks_ of the target. There must be a triangle.
+  void build(int threads);
+
+ private:
+  // The tree as Embree's builder makes it, in Embree's allocator. A Branch is an Inner or a Leaf,
+  // which is far smaller.
+  struct Branch;
+  struct Inner;
+  struct Leaf;
+  struct Counts {
+    std::size_t inner = 0, leaves = 0;
+  };
+
+  const Branch& build_branches(RTCBVH bvh) const;
+  static void count(const Branch& branch, Counts& counts);
+  std::uint32_t lay_out(const Branch& branch);
+  std::uint32_t add_block(const Leaf& leaf);
+
+  OccluderTree& target_;
+  std::span<const Vec3> positions_;
+  std::span<const EmbreeScene::Triangle> triangles_;
+  std::span<const std::uint32_t> group_;
+};
+
+// Embree passes inner nodes and leaves on as void*, so both begin with what tells them apart.
+struct OccluderTree::Builder::Branch {
   bool leaf;
   unsigned count;
 
@@ -23,9 +57,9 @@ struct OccluderTree::TreeBuilder::Branch {
   }
 };
 
-struct OccluderTree::TreeBuilder::Inner : Branch {
+struct OccluderTree::Builder::Inner : Branch {
   Branch* children[kWidth];
-  RTCBounds bounds[kWidth];  // of the children
+  RTCBounds bounds[kWidth];
 
   static void* make_inner(RTCThreadLocalAllocator allocator, unsigned n, void*) {
     return static_cast<Branch*>(make<Inner>(allocator, false, n));
@@ -39,7 +73,7 @@ struct OccluderTree::TreeBuilder::Inner : Branch {
   }
 };
 
-struct OccluderTree::TreeBuilder::Leaf : Branch {
+struct OccluderTree::Builder::Leaf : Branch {
   std::uint32_t triangles[kWidth];
 
   static void* make_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives,
@@ -67,16 +101,10 @@ OccluderTree::OccluderTree(std::span<const Vec3> positions,
     : built_(true), spheres_(spheres.begin(), spheres.end()) {
   for (const Vec3& v : positions)
     max_coordinate_ = std::max(max_coordinate_, max_component(absolute(v)));
-  if (!triangles.empty()) TreeBuilder(*this, positions, triangles, group).build(threads);
+  if (!triangles.empty()) Builder(*this, positions, triangles, group).build(threads);
 }
 
-OccluderTree::TreeBuilder::TreeBuilder(OccluderTree& target, std::span<const Vec3> positions,
-                                       std::span<const EmbreeScene::Triangle> triangles,
-                                       std::span<const std::uint32_t> group)
-    : target_(target), positions_(positions), triangles_(triangles), group_(group) {}
-
-const OccluderTree::TreeBuilder::Branch& OccluderTree::TreeBuilder::make_branches(
-    RTCBVH bvh) const {
+const OccluderTree::Builder::Branch& OccluderTree::Builder::build_branches(RTCBVH bvh) const {
   std::vector<RTCBuildPrimitive> primitives;
   primitives.reserve(triangles_.size());
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -91,7 +119,8 @@ const OccluderTree::TreeBuilder::Branch& OccluderTree::TreeBuilder::make_branche
   arguments.sahBlockSize = kWidth;
   arguments.minLeafSize = 1;
   arguments.maxLeafSize = kWidth;
-  arguments.traversalCost = 4;  // of a node, in blocks: fuller blocks, measured by cost_study
+  // A node costs as much as four blocks: this makes fuller blocks (measured by cost_study).
+  arguments.traversalCost = 4;
   arguments.bvh = bvh;
   arguments.primitives = primitives.data();
   arguments.primitiveCount = primitives.size();
@@ -105,17 +134,17 @@ const OccluderTree::TreeBuilder::Branch& OccluderTree::TreeBuilder::make_branche
   return *root;
 }
 
-void OccluderTree::TreeBuilder::build(int threads) {
+void OccluderTree::Builder::build(int threads) {
   const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(
       rtcNewDevice(("threads=" + std::to_string(threads)).c_str()), rtcReleaseDevice);
   const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()),
                                                                 rtcReleaseBVH);
-  const Branch& root = make_branches(bvh.get());
+  const Branch& root = build_branches(bvh.get());
   Counts counts;
   count(root, counts);
   target_.nodes_.reserve(std::max<std::size_t>(counts.inner, 1));
   target_.blocks_.reserve(counts.leaves);
-  if (lay_out(root) & kLeaf) {  // a walk begins at a node
+  if (lay_out(root) & kLeaf) {  // a traversal starts at a node
     Node node{};
     node.count = 1;
     node.children[0] = kLeaf;
@@ -128,15 +157,16 @@ void OccluderTree::TreeBuilder::build(int threads) {
   }
 }
 
-void OccluderTree::TreeBuilder::count(const Branch& branch, Counts& counts) {
+void OccluderTree::Builder::count(const Branch& branch, Counts& counts) {
   ++(branch.leaf ? counts.leaves : counts.inner);
   if (branch.leaf) return;
   for (unsigned i = 0; i < branch.count; ++i)
     count(*static_cast<const Inner&>(branch).children[i], counts);
 }
 
-// Depth first, a node before its children: neighbours in space are neighbours in memory.
-std::uint32_t OccluderTree::TreeBuilder::lay_out(const Branch& branch) {
+// Stores the branches depth first, each node before its children, so that neighbours in space are
+// neighbours in memory. Returns the item that stands for the branch in its parent.
+std::uint32_t OccluderTree::Builder::lay_out(const Branch& branch) {
   if (branch.leaf) return kLeaf | add_block(static_cast<const Leaf&>(branch));
   const auto& inner = static_cast<const Inner&>(branch);
   const auto index = static_cast<std::uint32_t>(target_.nodes_.size());
@@ -157,7 +187,7 @@ std::uint32_t OccluderTree::TreeBuilder::lay_out(const Branch& branch) {
   return index;
 }
 
-std::uint32_t OccluderTree::TreeBuilder::add_block(const Leaf& leaf) {
+std::uint32_t OccluderTree::Builder::add_block(const Leaf& leaf) {
   Block block{};
   for (unsigned i = 0; i < kWidth; ++i) {
     const std::uint32_t triangle = leaf.triangles[i < leaf.count ? i : 0];

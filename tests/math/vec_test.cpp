@@ -1,4 +1,4 @@
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
 
 #include <gtest/gtest.h>
 

@@ -1,26 +1,28 @@
+// OccluderTree::visible_part: the exact visible part of a segment.
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "float8.h"
 #include "raytracing/geometry/occluder_tree.h"
-#include "sphere_shadow.h"
 
 namespace raytracing {
 namespace {
 
 using raytracing::select;
 
-// n . x for eight points.
+// Returns n . x for eight points.
 Float8 dot(const Vec3& n, const Float8& x, const Float8& y, const Float8& z) {
   return n.x * x + (n.y * y + n.z * z);
 }
 
-// Eight points of the query's plane, in its two coordinates. Their sum is kept besides, 0 at p and
-// 1 on the segment: for a short far segment alpha and beta are large and cancel in it.
+// Eight points of the plane of a query, by the coordinates alpha and beta. Their sum, the depth, is
+// 0 at p and 1 on the segment. It is stored separately, because alpha and beta are large and would
+// cancel for a short, far segment.
 struct PlanePoints {
   Float8 alpha, beta, depth;
-  Float8 t() const { return beta / (alpha + beta); }  // exactly 0 or 1 after a clip
+  Float8 t() const { return beta / (alpha + beta); }  // exactly 0 or 1 after clip()
 };
 
 [[gnu::always_inline]] inline PlanePoints select(const Mask8& mask, const PlanePoints& yes,
@@ -35,17 +37,17 @@ struct PlanePoints {
           a.depth + s * (b.depth - a.depth)};
 }
 
-// One corner, from p, of eight triangles and its signed distance from the plane.
+// The same corner of eight triangles.
 struct Corners {
-  Points at;
-  Float8 e;
+  Points at;  // relative to p
+  Float8 e;   // signed distance from the plane of the query, scaled by the length of its normal
 };
 
-// Where the edges between a and b meet the plane. Always from the corner that is nearer to it, or,
-// of two as near, from the side e >= 0: the two triangles that share an edge get the same point,
-// and nothing shines through between them. In space, and from the nearer corner: where the segment
-// is near, the plane's coordinates of corners far from it are large, and so is the rounding of the
-// corners' own places; it would be that of t.
+// Returns the points where the edges between a and b intersect the plane. Each is interpolated from
+// the corner that is nearer to the plane or, of two equally near, from the one with e >= 0: the two
+// triangles that share an edge get the same point, and no light leaks between them. The
+// interpolation is done in space, because alpha and beta of corners far from a near segment are
+// large, and their rounding would be that of t.
 [[gnu::always_inline]] inline Points crossing(const Corners& a, const Corners& b) {
   const Mask8 a_first = (a.e >= 0) == (a.e + b.e <= 0);  // the signs of the two differ
   const Points first = select(a_first, a.at, b.at), second = select(a_first, b.at, a.at);
@@ -55,9 +57,10 @@ struct Corners {
           first.z + s * (second.z - first.z)};
 }
 
-// Whether the planes of eight triangles, with corners given from p, separate p from some of the
-// segment from a to b. What does not hides nothing: the receiver's own face, a few roundings behind
-// p, would else count where the light is far and alpha and beta are known only to such roundings.
+// Returns which of the planes of eight triangles, with corners relative to p, separate p from some
+// point of the segment from a to b. The others occlude nothing. Without this test the receiver's
+// own face, which lies a few roundings behind p, would occlude a far light, for which alpha and
+// beta are known only up to such roundings.
 Mask8 separates(const Float8 (&x)[3], const Float8 (&y)[3], const Float8 (&z)[3], const Vec3& a,
                 const Vec3& b) {
   const Float8 ux = x[1] - x[0], uy = y[1] - y[0], uz = z[1] - z[0];
@@ -70,9 +73,9 @@ Mask8 separates(const Float8 (&x)[3], const Float8 (&y)[3], const Float8 (&z)[3]
   return !((of_p > 0 && of_a > 0 && of_b > 0) || (of_p < 0 && of_a < 0 && of_b < 0));
 }
 
-// Cuts the plane segments from c to d where the function that has these values at their ends is
-// negative; `coordinate`, if any, is that function and becomes exactly 0 at the cut. Returns which
-// segments are gone altogether.
+// Clips the segments from c to d to where a linear function is not negative. `at_c` and `at_d` are
+// its values at the ends. When the function is a coordinate, `coordinate` names it, and it becomes
+// exactly 0 at the new end. Returns which segments vanish.
 [[gnu::always_inline]] inline Mask8 clip(PlanePoints& c, PlanePoints& d, const Float8& at_c,
                                          const Float8& at_d,
                                          Float8 PlanePoints::*coordinate = nullptr) {
@@ -84,7 +87,7 @@ Mask8 separates(const Float8 (&x)[3], const Float8 (&y)[3], const Float8 (&z)[3]
   return cut_c && cut_d;
 }
 
-// A linear function n . (x - p) of a point x, and how far rounding may put it off.
+// A linear function n . (x - p) of a point x with a bound of its rounding error.
 struct Side {
   Side() = default;
   Side(const Vec3& normal, float rounding) : n(normal) {
@@ -97,13 +100,13 @@ struct Side {
 
 }  // namespace
 
-// The query's plane and the functions that bound what can hide the segment.
+// The plane of a query and the linear functions that bound the possible occluders.
 struct OccluderTree::SegmentQuery {
   SegmentQuery(const Vec3& from, const Vec3& a, const Vec3& along, float max_coordinate,
                std::uint32_t skip)
       : p(from), skipped(skip) {
     const Vec3 to_a = a - p, to_b = to_a + along;
-    // Not to_a x to_b: that cancels for a short far segment.
+    // The normal is not computed as to_a x to_b, which cancels for a short, far segment.
     const Vec3 normal = cross(to_a, along);
     const float inverse = 1 / glm::dot(normal, normal);
     rounding = 0x1p-21f * max_coordinate;
@@ -116,7 +119,7 @@ struct OccluderTree::SegmentQuery {
 
   bool degenerate() const { return !(glm::dot(plane.n, plane.n) > 0); }
 
-  // Restricts the search to what hides this part of the segment.
+  // Restricts the traversal to what may occlude this part of the segment.
   void narrow(const Interval& hull) {
     after_begin = {(1 - hull.begin) * beta - hull.begin * alpha, rounding};
     before_end = {hull.end * alpha - (1 - hull.end) * beta, rounding};
@@ -127,14 +130,14 @@ struct OccluderTree::SegmentQuery {
   }
 
   Vec3 p;
-  Side plane;                     // the signed distance e, times |n|
-  Vec3 alpha, beta;               // the coordinates alpha and beta
-  Side depth;                     // their sum, without the cancellation
-  Side after_begin;               // >= 0 for what projects behind the beginning of the hull
-  Side before_end;                // >= 0 for what projects before its end
-  std::pair<Vec3, Vec3> segment;  // beginning, from p, and direction
-  Vec3 hull_begin, hull_end;      // from p
-  Vec3 lower, upper;              // bounds of p and the hull
+  Side plane;                     // signed distance e from the plane, scaled by |n|
+  Vec3 alpha, beta;               // gradients of the coordinates alpha and beta
+  Side depth;                     // alpha + beta without cancellation
+  Side after_begin;               // >= 0 for points that project behind the beginning of the hull
+  Side before_end;                // >= 0 for points that project before the end of the hull
+  std::pair<Vec3, Vec3> segment;  // beginning, relative to p, and direction
+  Vec3 hull_begin, hull_end;      // ends of the part that is still visible, relative to p
+  Vec3 lower, upper;              // bounds of p and of that part
   float rounding;
   std::uint32_t skipped;
 };
@@ -145,28 +148,28 @@ IntervalSet OccluderTree::visible_part(const Vec3& p, const Vec3& a, const Vec3&
   const float coordinate = std::max(max_coordinate_, max_component(absolute(p)));
   SegmentQuery query(p, a, d, coordinate, skipped);
   if (visible.empty() || query.degenerate()) return visible;
-  for (const Sphere& sphere : spheres_) subtract_sphere(sphere, p, a, d, visible);
-  if (!nodes_.empty() && !visible.empty()) walk(query, visible);
+  for (const Sphere& sphere : spheres_) subtract_shadow(sphere, p, a, d, visible);
+  if (!nodes_.empty() && !visible.empty()) traverse(query, visible);
   return visible;
 }
 
-void OccluderTree::walk(SegmentQuery& query, IntervalSet& visible) const {
+void OccluderTree::traverse(SegmentQuery& query, IntervalSet& visible) const {
   query.narrow(visible.hull());
-  std::uint32_t stack[kWidth * 64];  // Embree's builder stops at depth 32, then splits evenly
+  std::uint32_t stack[kStackSize];
   int size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t item = stack[--size];
     if (item & kLeaf) {
       const Interval before = visible.hull();
-      subtract_block(blocks_[item & ~kLeaf], query, visible);
+      subtract_shadows(blocks_[item & ~kLeaf], query, visible);
       if (visible.empty()) return;
       const Interval after = visible.hull();
       if (after.begin != before.begin || after.end != before.end) query.narrow(after);
       continue;
     }
     const Node& node = nodes_[item];
-    for (unsigned met = children_met(node, query); met != 0; met &= met - 1) {
+    for (unsigned met = intersected_children(node, query); met != 0; met &= met - 1) {
       const std::uint32_t child = node.children[std::countr_zero(met)];
       prefetch(child);
       stack[size++] = child;
@@ -174,7 +177,7 @@ void OccluderTree::walk(SegmentQuery& query, IntervalSet& visible) const {
   }
 }
 
-// Asks memory for an item that will be visited soon: large trees live outside the caches.
+// Prefetches an item that will be visited soon, because large trees do not fit into the caches.
 void OccluderTree::prefetch(std::uint32_t item) const {
   const char* memory = item & kLeaf ? reinterpret_cast<const char*>(&blocks_[item & ~kLeaf])
                                     : reinterpret_cast<const char*>(&nodes_[item]);
@@ -182,15 +185,15 @@ void OccluderTree::prefetch(std::uint32_t item) const {
   for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(memory + line);
 }
 
-unsigned OccluderTree::children_met(const Node& node, const SegmentQuery& query) {
+unsigned OccluderTree::intersected_children(const Node& node, const SegmentQuery& query) {
   const auto& bounds = node.bounds;
-  // The extremes of n . (x - p) over each box are at corners that the signs of n choose.
+  // The extremes of n . (x - p) over each box are taken at corners given by the signs of n.
   const auto extreme = [&](const Vec3& n, bool upper) {
     const int x = (n.x > 0) == upper, y = (n.y > 0) == upper, z = (n.z > 0) == upper;
     return dot(n, load(bounds[x][0]) - query.p.x, load(bounds[y][1]) - query.p.y,
                load(bounds[z][2]) - query.p.z);
   };
-  // Exact comparisons: the query's own rounding is far below the offset of its ends from surfaces.
+  // The bounds need no tolerance: their rounding is far below the offset of the ends from surfaces.
   Mask8 met = load(bounds[0][0]) <= query.upper.x && load(bounds[1][0]) >= query.lower.x &&
               load(bounds[0][1]) <= query.upper.y && load(bounds[1][1]) >= query.lower.y &&
               load(bounds[0][2]) <= query.upper.z && load(bounds[1][2]) >= query.lower.z;
@@ -202,8 +205,8 @@ unsigned OccluderTree::children_met(const Node& node, const SegmentQuery& query)
   return to_bits(met) & ((1u << node.count) - 1);
 }
 
-void OccluderTree::subtract_block(const Block& block, const SegmentQuery& query,
-                                  IntervalSet& visible) {
+void OccluderTree::subtract_shadows(const Block& block, const SegmentQuery& query,
+                                    IntervalSet& visible) {
   Float8 x[3], y[3], z[3], alpha[3], beta[3], depth[3], e[3];
   for (int corner = 0; corner < 3; ++corner) {
     x[corner] = load(block.corners[corner][0]) - query.p.x;
@@ -221,12 +224,12 @@ void OccluderTree::subtract_block(const Block& block, const SegmentQuery& query,
   const Mask8 inside = (alpha[0] > 0 || alpha[1] > 0 || alpha[2] > 0) &&
                        (beta[0] > 0 || beta[1] > 0 || beta[2] > 0) &&
                        (depth[0] < 1 || depth[1] < 1 || depth[2] < 1);
-  Mask8 may_hide = crosses && inside;
-  if (simd::none_of(may_hide)) return;
-  may_hide = may_hide && separates(x, y, z, query.hull_begin, query.hull_end);
-  if (simd::none_of(may_hide)) return;
+  Mask8 candidates = crosses && inside;
+  if (simd::none_of(candidates)) return;
+  candidates = candidates && separates(x, y, z, query.hull_begin, query.hull_end);
+  if (simd::none_of(candidates)) return;
 
-  // Two of the three edges cross the plane.
+  // Two of the three edges of each candidate intersect the plane, at c and d.
   const auto in_plane = [&query](const Points& q) {
     return PlanePoints{dot(query.alpha, q.x, q.y, q.z), dot(query.beta, q.x, q.y, q.z),
                        dot(query.depth.n, q.x, q.y, q.z)};
@@ -234,17 +237,17 @@ void OccluderTree::subtract_block(const Block& block, const SegmentQuery& query,
   const Points on_12 = crossing(corners[1], corners[2]);
   PlanePoints c = in_plane(select(above[0] != above[1], crossing(corners[0], corners[1]), on_12));
   PlanePoints d = in_plane(select(above[2] != above[0], crossing(corners[2], corners[0]), on_12));
-  Mask8 gone = !may_hide;
+  Mask8 gone = !candidates;
   gone = gone || clip(c, d, c.alpha, d.alpha, &PlanePoints::alpha);
   gone = gone || clip(c, d, c.beta, d.beta, &PlanePoints::beta);
   gone = gone || clip(c, d, 1 - c.depth, 1 - d.depth);
   const Float8 tc = c.t(), td = d.t();
   const Interval hull = visible.hull();
   const Float8 begin = simd::min(tc, td), end = simd::max(tc, td);
-  Mask8 hides = !gone && begin < end && begin < hull.end && end > hull.begin;
-  while (simd::any_of(hides)) {
-    const int i = simd::find_first_set(hides);
-    hides[i] = false;
+  Mask8 occludes = !gone && begin < end && begin < hull.end && end > hull.begin;
+  while (simd::any_of(occludes)) {
+    const int i = simd::find_first_set(occludes);
+    occludes[i] = false;
     if (query.skipped != kNone && block.group[i] == query.skipped) continue;
     visible.subtract(begin[i], end[i]);
     if (visible.empty()) return;

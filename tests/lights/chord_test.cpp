@@ -1,9 +1,9 @@
-#include "raytracing/lights/chords.h"
+#include "raytracing/lights/chord.h"
 
 #include <gtest/gtest.h>
 
 #include "raytracing/lights/area_light.h"
-#include "raytracing/math/frame.h"
+#include "raytracing/math/vec.h"
 #include "support/planar_polygon.h"
 
 namespace raytracing {

@@ -1,3 +1,5 @@
+// OccluderTree::keep_visible: which of many points are visible from one point.
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -10,9 +12,10 @@
 namespace raytracing {
 namespace {
 
-// Bounds are compared with this relative tolerance: a few roundings more than they can be off, and
-// far less than what would let much more through.
+// The relative tolerance of comparisons of bounds. It exceeds their rounding error by little, so
+// that few more boxes and triangles pass.
 constexpr float kTolerance = 0x1p-20f;
+// The relative rounding error of the side of an edge on which a target lies.
 constexpr float kRounding = 0x1p-22f;
 
 Points operator+(const Points& a, const Points& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -25,22 +28,22 @@ Points cross(const Points& a, const Points& b) {
 }
 Points broadcast(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-// Eight triangles, from p. A target d lies behind one that does not hold p in its plane where
-// plane.d > depth and edges[i].d <= 0 for all three edges.
-struct Planes {
+// Eight triangles as seen from p. A triangle whose plane does not contain p occludes the target d
+// where plane.d > depth and edges[i].d <= 0 for all three edges.
+struct TrianglePlanes {
   Points edges[3];
   Points plane;
-  Float8 depth;  // > 0; 0 = holds p in its plane, or is degenerate
+  Float8 depth;  // 0 when the triangle is degenerate or its plane contains p, else > 0
 
-  explicit Planes(const Points (&v)[3]) {
-    // The two triangles of an edge get exactly opposite normals, also by fused operations: nothing
-    // slips through between them (Davidovic et al. 2012).
+  explicit TrianglePlanes(const Points (&v)[3]) {
+    // The two triangles of an edge get exactly opposite normals, with fused operations too, so that
+    // no light leaks between them (Davidovic et al. 2012).
     for (int i = 0; i < 3; ++i) {
       const Points &from = v[i], &to = v[(i + 1) % 3];
       edges[i] = cross(to - from, to + from);
     }
-    // From the two shorter edges: those that meet at the tip of a needle are nearly parallel, and
-    // rounding would tilt their plane.
+    // The plane is computed from the two shorter edges. The edges that meet at the tip of a needle
+    // are nearly parallel, and rounding would tilt their plane.
     const Points sides[3] = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
     const Float8 lengths2[3] = {dot(sides[0], sides[0]), dot(sides[1], sides[1]),
                                 dot(sides[2], sides[2])};
@@ -62,10 +65,10 @@ struct Planes {
 }  // namespace
 
 struct OccluderTree::Shaft {
-  Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted, int most);
+  Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted, int max_steps);
 
-  // Marks what lies behind one triangle.
-  void hide(const Planes& planes, int i);
+  // Clears the targets that triangle i occludes.
+  void occlude(const TrianglePlanes& planes, int i);
   bool anything_wanted() const {
     std::int32_t any = 0;
     for (int k = 0; k < count; ++k) any |= still[k];
@@ -75,17 +78,18 @@ struct OccluderTree::Shaft {
 
   Vec3 p;
   int count;
-  std::int32_t* still;  // wanted, and not yet hidden
-  int steps;            // that may still be taken
-  Vec3 centre, half;    // bounds of the targets, from p
-  // A point t of the shaft's length away from p has each coordinate within [t lower, t upper].
-  // That of a box is at these multiples of its bounds.
+  std::int32_t* still;  // 1 for targets that are wanted and not found occluded, else 0
+  int steps;            // number of steps that are left
+  Vec3 centre, half;    // bounds of the targets, relative to p
+  // The cross-section of the shaft at the fraction t of its length is [t lower, t upper] in each
+  // coordinate, with the bounds of the targets. These are the inverses of the bounds.
   Vec3 inverse_lower, inverse_upper;
-  alignas(64) float x[kMaxTargets], y[kMaxTargets], z[kMaxTargets];  // from p
+  alignas(64) float x[kMaxTargets], y[kMaxTargets], z[kMaxTargets];  // targets, from p
 };
 
-OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted, int most)
-    : p(from), count(targets.count), still(wanted), steps(most) {
+OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_t* wanted,
+                           int max_steps)
+    : p(from), count(targets.count), still(wanted), steps(max_steps) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (int k = 0; k < count; ++k) {
     x[k] = targets.x[k] - p.x;
@@ -94,7 +98,7 @@ OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_
   }
   const float* const coordinates[3] = {x, y, z};
   for (int axis = 0; axis < 3; ++axis) {
-    alignas(64) float low[kMaxTargets], high[kMaxTargets];  // only of what is wanted
+    alignas(64) float low[kMaxTargets], high[kMaxTargets];  // of wanted targets only
     for (int k = 0; k < count; ++k) {
       low[k] = still[k] != 0 ? coordinates[axis][k] : kInfinity;
       high[k] = still[k] != 0 ? coordinates[axis][k] : -kInfinity;
@@ -107,20 +111,20 @@ OccluderTree::Shaft::Shaft(const Vec3& from, const Targets& targets, std::int32_
     const float lower = simd::hmin(lowest), upper = simd::hmax(highest);
     centre[axis] = 0.5f * (lower + upper);
     half[axis] = 0.5f * (upper - lower);
-    // No division by 0: the smallest number does as well.
-    constexpr float kLeast = std::numeric_limits<float>::min();
-    inverse_lower[axis] = 1 / (std::abs(lower) < kLeast ? -kLeast : lower);
-    inverse_upper[axis] = 1 / (std::abs(upper) < kLeast ? kLeast : upper);
+    // The smallest normal number replaces 0 as a divisor.
+    constexpr float kMin = std::numeric_limits<float>::min();
+    inverse_lower[axis] = 1 / (std::abs(lower) < kMin ? -kMin : lower);
+    inverse_upper[axis] = 1 / (std::abs(upper) < kMin ? kMin : upper);
   }
 }
 
-void OccluderTree::Shaft::hide(const Planes& planes, int i) {
+void OccluderTree::Shaft::occlude(const TrianglePlanes& planes, int i) {
   const auto normal = [i](const Points& n) { return Vec3(n.x[i], n.y[i], n.z[i]); };
   const Vec3 a = normal(planes.edges[0]), b = normal(planes.edges[1]), c = normal(planes.edges[2]);
   const Vec3 n = normal(planes.plane);
   const float depth = planes.depth[i];
-  // How far rounding may put a ray off the side of an edge that it is on. With less, rays aimed at
-  // a corner that many triangles share may pass them all.
+  // Bounds how far rounding may move a ray across an edge. With a smaller bound, rays towards a
+  // corner that many triangles share might miss them all.
   const Vec3 size = absolute(centre) + half;
   const auto rounding = [&](const Vec3& edge) { return kRounding * dot(absolute(edge), size); };
   const float off_a = rounding(a), off_b = rounding(b), off_c = rounding(c);
@@ -132,14 +136,14 @@ void OccluderTree::Shaft::hide(const Planes& planes, int i) {
   }
 }
 
-unsigned OccluderTree::children_met(const Node& node, const Shaft& shaft) {
-  // The parts of the shaft's length at which its coordinate may be that of the box.
+unsigned OccluderTree::intersected_children(const Node& node, const Shaft& shaft) {
+  // The fractions of the length of the shaft between which its cross-section overlaps the box.
   Float8 first = 0.0f, last = 1.0f;
   for (int axis = 0; axis < 3; ++axis) {
     const Float8 lower = load(node.bounds[0][axis]) - shaft.p[axis];
     const Float8 upper = load(node.bounds[1][axis]) - shaft.p[axis];
-    const Float8 reaches = lower * shaft.inverse_upper[axis];  // t upper(shaft) = lower(box)
-    const Float8 leaves = upper * shaft.inverse_lower[axis];   // t lower(shaft) = upper(box)
+    const Float8 reaches = lower * shaft.inverse_upper[axis];  // where t upper(shaft) = lower(box)
+    const Float8 leaves = upper * shaft.inverse_lower[axis];   // where t lower(shaft) = upper(box)
     if (shaft.inverse_upper[axis] > 0)
       first = simd::max(first, reaches);
     else
@@ -153,30 +157,31 @@ unsigned OccluderTree::children_met(const Node& node, const Shaft& shaft) {
   return to_bits(met) & ((1u << node.count) - 1);
 }
 
-bool OccluderTree::hide_by_block(const Block& block, Shaft& shaft) {
+bool OccluderTree::occlude_by_block(const Block& block, Shaft& shaft) {
   Points corners[3];
   for (int i = 0; i < 3; ++i)
     corners[i] = {load(block.corners[i][0]) - shaft.p.x, load(block.corners[i][1]) - shaft.p.y,
                   load(block.corners[i][2]) - shaft.p.z};
-  const Planes planes(corners);
+  const TrianglePlanes planes(corners);
   const Points centre = broadcast(shaft.centre), half = broadcast(shaft.half);
   const Points size = broadcast(absolute(shaft.centre) + shaft.half);
-  // Where all targets are on the wrong side of one plane, nothing is hidden. Of those just before
-  // the triangle, as the faces that the targets are on, any answer is within rounding: they cost no
-  // test of each.
+  // Nothing is occluded when all targets lie on the outer side of one plane. For targets that lie
+  // on the triangle itself any answer is within rounding, so their own faces cost no test of each
+  // target.
   const auto reach = [&](const Points& n) { return dot(absolute(n), half); };
   Mask8 met = planes.depth > 0 && dot(planes.plane, centre) + reach(planes.plane) > planes.depth;
   for (const Points& edge : planes.edges)
     met = met && dot(edge, centre) - reach(edge) <= kTolerance * dot(absolute(edge), size);
   for (unsigned bits = to_bits(met); bits != 0; bits &= bits - 1) {
     if (shaft.steps-- == 0) return false;
-    shaft.hide(planes, std::countr_zero(bits));
+    shaft.occlude(planes, std::countr_zero(bits));
   }
   return true;
 }
 
-// A sphere may be met only where its centre is not farther from the shaft's axis than both radii.
-bool OccluderTree::hide_by_spheres(Shaft& shaft) const {
+// A sphere intersects the shaft only if the distance of its centre from the axis of the shaft is at
+// most the sum of both radii.
+bool OccluderTree::occlude_by_spheres(Shaft& shaft) const {
   const float radius = length(shaft.half);
   for (const Sphere& sphere : spheres_) {
     const Vec3 centre = sphere.center - shaft.p;
@@ -198,8 +203,8 @@ bool OccluderTree::keep_visible(const Vec3& p, const Targets& targets, std::int3
   assert(targets.count % kLanes == 0 && targets.count <= kMaxTargets);
   if (!built_) return false;
   Shaft shaft(p, targets, wanted, limit);
-  if (!hide_by_spheres(shaft)) return false;
-  std::uint32_t stack[kWidth * 64];  // as in walk()
+  if (!occlude_by_spheres(shaft)) return false;
+  std::uint32_t stack[kStackSize];
   int size = 0;
   if (!nodes_.empty()) stack[size++] = 0;
   while (size > 0) {
@@ -207,7 +212,7 @@ bool OccluderTree::keep_visible(const Vec3& p, const Targets& targets, std::int3
     const std::uint32_t item = stack[--size];
     if ((item & kLeaf) == 0) {
       const Node& node = nodes_[item];
-      for (unsigned met = children_met(node, shaft); met != 0; met &= met - 1) {
+      for (unsigned met = intersected_children(node, shaft); met != 0; met &= met - 1) {
         const std::uint32_t child = node.children[std::countr_zero(met)];
         prefetch(child);
         stack[size++] = child;
@@ -215,7 +220,7 @@ bool OccluderTree::keep_visible(const Vec3& p, const Targets& targets, std::int3
       continue;
     }
     const int before = shaft.steps;
-    if (!hide_by_block(blocks_[item & ~kLeaf], shaft)) return false;
+    if (!occlude_by_block(blocks_[item & ~kLeaf], shaft)) return false;
     if (shaft.steps != before && !shaft.anything_wanted()) return true;
   }
   return true;
