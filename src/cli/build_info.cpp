@@ -3,6 +3,7 @@
 #include <OpenEXR/OpenEXRConfig.h>
 #include <fmt/format.h>
 #include <png.h>
+#include <sys/resource.h>
 
 #if __has_include(<OpenImageIO/oiioversion.h>)
 #include <OpenImageIO/oiioversion.h>
@@ -19,6 +20,8 @@
 
 namespace raytracing {
 namespace {
+
+std::string program_version() { return RAYTRACING_VERSION; }
 
 const char* instruction_set() {
 #if defined(__AVX512F__)
@@ -38,6 +41,25 @@ const char* instruction_set() {
 #endif
 }
 
+// Build type, compiler and instruction set on one line.
+std::string build_description() {
+  return fmt::format("{}, {}, {}, {}", RAYTRACING_BUILD_TYPE,
+                     is_optimised() ? "optimised" : "not optimised", "compiler " __VERSION__,
+                     instruction_set());
+}
+
+// The processor and the number of its threads, as far as the system shows them.
+std::string machine_description() {
+  std::string processor = "unknown processor";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
+      processor = line.substr(line.find(": ") + 2);
+      break;
+    }
+  return fmt::format("{}, {} threads", processor, std::thread::hardware_concurrency());
+}
+
 }  // namespace
 
 bool is_optimised() {
@@ -48,31 +70,26 @@ bool is_optimised() {
 #endif
 }
 
-std::string program_version() { return RAYTRACING_VERSION; }
-
-std::string build_description() {
-  return fmt::format("{}, {}, {}, {}", RAYTRACING_BUILD_TYPE,
-                     is_optimised() ? "optimised" : "not optimised", "compiler " __VERSION__,
-                     instruction_set());
+RunFacts program_facts() {
+  RunFacts facts;
+  facts.software = "Raytracing " + program_version();
+  facts.build = build_description();
+  facts.machine = machine_description();
+  return facts;
 }
 
 std::string program_hash() {
   try {
-    return fmt::format("{:016x}", hash_bytes(read_file("/proc/self/exe")));
+    return hash_text(hash_bytes(read_file("/proc/self/exe")));
   } catch (const InputError&) {
     return "unknown";
   }
 }
 
-std::string machine_description() {
-  std::string processor = "unknown processor";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name") && line.find(": ") != std::string::npos) {
-      processor = line.substr(line.find(": ") + 2);
-      break;
-    }
-  return fmt::format("{}, {} threads", processor, std::thread::hardware_concurrency());
+std::uint64_t peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::uint64_t{1024} * static_cast<std::uint64_t>(usage.ru_maxrss);
 }
 
 std::string version_text() {

@@ -1,26 +1,26 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+
+#include "raytracing/render/provenance.h"
 
 namespace raytracing {
 
 /// Whether the compiler optimised this build.
 bool is_optimised();
 
-/// "0.1.0"
-std::string program_version();
-
-/// Build type, compiler and instruction set on one line, as it stands in picture headers.
-std::string build_description();
+/// The facts about the program and the machine: software, build, machine.
+RunFacts program_facts();
 
 /// A hash of the running program's file, in hexadecimal digits; "unknown" where the system does not
 /// show it.
 std::string program_hash();
 
-/// Processor and number of its threads, as far as the system tells.
-std::string machine_description();
+/// The largest resident memory of this process so far.
+std::uint64_t peak_rss_bytes();
 
-/// What --version prints: version, build, instruction set, libraries and formats, line by line.
+/// The text of --version: version, build, instruction set, libraries and formats, line by line.
 std::string version_text();
 
 }  // namespace raytracing

@@ -98,18 +98,12 @@ ChartRequest chart_request(const ChartArguments& a, const SceneFile& file,
   s.methods = a.methods;
   s.spp = a.spp;
   s.seeds = a.seeds;
-  s.made_by = {{"software", "Raytracing " + program_version()},
-               {"build", build_description()},
-               {"program", program_hash()},
-               {"machine", machine_description()},
-               {"argv", command_line}};
+  s.made_by = program_facts();
+  s.made_by.program = program_hash();
+  s.made_by.command = command_line;
   request.reference = a.reference;
   request.reference_seconds = a.reference_time;
   request.mask = a.mask;
-  request.facts = {{"command", command_line},
-                   {"version", program_version()},
-                   {"build", build_description()},
-                   {"machine", machine_description()}};
   return request;
 }
 

@@ -76,22 +76,20 @@ std::vector<Row> rows(const Comparison& c) {
   return result;
 }
 
-void add_notes_on(const ImageData& image, const std::string& path,
+void add_notes_on(const ImageData& image, const RunFacts& facts, const std::string& path,
                   std::vector<std::string>& notes) {
-  if (header_text(image, "lightSamplingBiased") == "yes")
+  if (facts.light_sampling_biased == true)
     notes.push_back(
         fmt::format("note: {}: made by the biased method {}: more samples do not bring "
                     "it to the true picture",
-                    path, header_text(image, "lightSampling")));
-  const std::string complete = header_text(image, "complete");
-  if (!complete.empty() && complete != "yes")
+                    path, facts.light_sampling.value_or("")));
+  if (facts.complete == false)
     notes.push_back(fmt::format("warning: {}: its rendering was stopped early", path));
-  if (errors_are_alike(image))
-    notes.push_back(fmt::format("note: {}: {}", path, header_text(image, "pixelCorrelation")));
-  const std::string bits = header_text(image, "bitsPerSample");  // of a PNG
-  if (!bits.empty())
-    notes.push_back(
-        fmt::format("note: {}: {} bits a channel, and light beyond 1 is cut off", path, bits));
+  if (has_correlated_pixels(facts))
+    notes.push_back(fmt::format("note: {}: {}", path, *facts.pixel_correlation));
+  if (image.integer_bits > 0)
+    notes.push_back(fmt::format("note: {}: {} bits a channel, and light beyond 1 is cut off", path,
+                                image.integer_bits));
 }
 
 }  // namespace
@@ -129,17 +127,16 @@ std::vector<std::string> header_notes(const ImageData& test, const std::string& 
                                       const ImageData& reference,
                                       const std::string& reference_path) {
   std::vector<std::string> notes;
-  const auto same = [&](const char* name) {
-    const std::string value = header_text(test, name);
-    return !value.empty() && value == header_text(reference, name);
-  };
-  const std::string x = header_text(test, "sceneHash"), r = header_text(reference, "sceneHash");
-  if (!x.empty() && !r.empty() && x != r)
-    notes.push_back(fmt::format("warning: of different scenes: sceneHash {} and {}", x, r));
-  if (same("sceneHash") && same("seed") && same("sampler"))
+  const RunFacts x = facts_of(test.metadata), r = facts_of(reference.metadata);
+  const bool both = x.scene_hash && r.scene_hash;
+  if (both && x.scene_hash != r.scene_hash)
+    notes.push_back(fmt::format("warning: of different scenes: scene_hash {} and {}", *x.scene_hash,
+                                *r.scene_hash));
+  if (both && x.scene_hash == r.scene_hash && x.seed && x.seed == r.seed && x.sampler &&
+      x.sampler == r.sampler)
     notes.push_back("note: both pictures have the same seed: their errors are not independent");
-  add_notes_on(test, test_path, notes);
-  add_notes_on(reference, reference_path, notes);
+  add_notes_on(test, x, test_path, notes);
+  add_notes_on(reference, r, reference_path, notes);
   return notes;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "build_info.h"
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
@@ -34,15 +35,15 @@ class Outputs {
       fmt::print(stderr, "warning: --variance has no effect: no output is an .exr file\n");
   }
 
-  void write(const RenderRecord& record, bool quiet) {
-    const ImageData image = to_image(record, variance_);
+  void write(const Film& film, const RunFacts& facts, bool quiet) {
+    const ImageData image = to_image(film, facts, variance_);
     for (OutputFile& file : images_) {
       file.write(encode_image(image, image_format(file.path())));
       file.commit();
       if (!quiet) fmt::print("{}\n", file.path());
     }
     if (!stats_) return;
-    stats_->write(stats_json(record));
+    stats_->write(stats_json(facts));
     stats_->commit();
   }
 
@@ -52,26 +53,23 @@ class Outputs {
   std::optional<OutputFile> stats_;
 };
 
-void print_summary(const RenderRecord& r, bool quiet) {
-  const RenderOptions& o = r.options;
+void print_summary(const RenderOptions& o, const RenderResult& r, bool quiet) {
   const DirectMethod& method = *o.shade.method;
   if (!quiet)
     fmt::print(stderr, "{}x{} pixels, {} spp, {}{}, {}: {:.2f} s, {:.2f} million paths/s\n",
                o.width, o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
-               counted(r.result.threads, "thread"), r.result.render_seconds,
-               1e-6 * static_cast<double>(r.result.paths) / r.result.render_seconds);
-  if (r.result.threads < o.threads)
-    fmt::print(stderr, "warning: the system allows only {} of {} threads\n", r.result.threads,
-               o.threads);
-  for (const NonFiniteSample& s : r.result.first_non_finite)
+               counted(r.threads, "thread"), r.render_seconds,
+               1e-6 * static_cast<double>(r.paths) / r.render_seconds);
+  if (r.threads < o.threads)
+    fmt::print(stderr, "warning: the system allows only {} of {} threads\n", r.threads, o.threads);
+  for (const NonFiniteSample& s : r.first_non_finite)
     fmt::print(stderr, "non-finite sample ({}): add --replay {},{},{} to trace it again\n",
                to_string(s.cause), s.x, s.y, s.sample);
-  if (r.result.non_finite_samples > 0)
+  if (r.non_finite_samples > 0)
     fmt::print(stderr, "warning: {} of {} samples were not finite and count as black\n",
-               r.result.non_finite_samples, r.result.paths);
-  if (!r.result.complete)
-    fmt::print(stderr, "stopped early: {} of {} samples taken; the image is incomplete\n",
-               r.result.paths,
+               r.non_finite_samples, r.paths);
+  if (!r.complete)
+    fmt::print(stderr, "stopped early: {} of {} samples taken; the image is incomplete\n", r.paths,
                o.spp * static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height));
 }
 
@@ -147,16 +145,18 @@ int render_command(const Arguments& arguments) {
     fmt::print(stderr, "stopped before the first sample: nothing written\n");
     return kExitSignalBase + signals.signal();
   }
-  const RenderRecord record{a.scene,
-                            input.file(),
-                            options,
-                            result,
-                            arguments.command_line,
-                            input.load_seconds(),
-                            input.build_seconds()};
-  outputs->write(record, a.quiet);
+  RunFacts facts = program_facts();
+  facts.command = arguments.command_line;
+  facts.scene = a.scene;
+  facts.scene_hash = hash_text(input.file().hash);
+  facts.load_seconds = input.load_seconds();
+  facts.build_seconds = input.build_seconds();
+  facts.peak_rss_bytes = peak_rss_bytes();
+  add_options(facts, options);
+  add_result(facts, options, result);
+  outputs->write(result.film, facts, a.quiet);
   display.finish(result.complete);
-  print_summary(record, a.quiet);
+  print_summary(options, result, a.quiet);
   if (signals.signal() != 0) return kExitSignalBase + signals.signal();
   return a.strict && result.non_finite_samples > 0 ? kExitCheckFailed : kExitGood;
 }

@@ -136,14 +136,12 @@ void write_results(const StressResult& result, const StressPlan& plan, const Res
   folder.write("stress.dat", stress_plot_data(result));
   folder.write("stress.gp", stress_plot_script(result));
   const std::vector<std::string> drawn = draw(result, folder);
+  RunFacts facts = program_facts();
+  facts.command = command_line;
+  facts.line_rays = plan.line_rays;
+  facts.seeds = std::to_string(plan.seeds);
   folder.write("stress.html",
-               report_html(stress_report(result, folder.path(), !drawn.empty(),
-                                         {{"command", command_line},
-                                          {"version", program_version()},
-                                          {"build", build_description()},
-                                          {"machine", machine_description()},
-                                          {"seeds", std::to_string(plan.seeds)},
-                                          {"line rays", std::to_string(plan.line_rays)}})));
+               report_html(stress_report(result, folder.path(), !drawn.empty(), fact_rows(facts))));
   warn_of_old_plots(drawn, folder);
 }
 

@@ -47,6 +47,10 @@ void insert_attribute(Imf::Header& header, const char* name, double value) {
   header.insert(name, Imf::DoubleAttribute(value));
 }
 
+void insert_attribute(Imf::Header& header, const char* name, bool value) {
+  insert_attribute(header, name, to_text(value));  // EXR has no attribute that is true or false
+}
+
 /// EXR has no 64-bit integers: what does not fit 32 bits becomes text, so that no digit is lost.
 void insert_attribute(Imf::Header& header, const char* name, std::int64_t value) {
   if (value >= std::numeric_limits<std::int32_t>::min() &&

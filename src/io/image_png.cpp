@@ -91,10 +91,6 @@ std::vector<std::uint8_t> srgb_pixels(const ImageData& image) {
   return codes;
 }
 
-std::string metadata_text(const ImageMetadata::value_type& entry) {
-  return std::visit([](const auto& value) { return fmt::format("{}", value); }, entry.second);
-}
-
 /// A tEXt chunk for ASCII, an iTXt chunk (UTF-8) for the rest. Keeps pointers into its arguments.
 png_text make_text(const std::string& name, std::string& value) {
   const bool ascii = std::all_of(value.begin(), value.end(),
@@ -112,7 +108,7 @@ png_text make_text(const std::string& name, std::string& value) {
 std::string encode_png(const ImageData& image) {
   const std::vector<std::uint8_t> pixels = srgb_pixels(image);
   std::vector<std::string> values;
-  for (const auto& entry : image.metadata) values.push_back(metadata_text(entry));
+  for (const auto& entry : image.metadata) values.push_back(to_text(entry.second));
   std::vector<png_text> texts;
   for (std::size_t i = 0; i < values.size(); ++i) {
     texts.push_back(make_text(image.metadata[i].first, values[i]));

@@ -172,8 +172,8 @@ ImageData decode_png(const std::string& bytes) {
   image.height = static_cast<int>(header.height);
   image.channels = {"R", "G", "B"};
   image.values = linear_values(header, pixels);
-  image.metadata = {{"bitsPerSample", std::int64_t{header.wide ? 16 : 8}}};
-  for (auto& text : reader.texts()) image.metadata.push_back(std::move(text));
+  image.integer_bits = header.wide ? 16 : 8;
+  image.metadata = reader.texts();
   return image;
 }
 

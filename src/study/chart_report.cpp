@@ -127,14 +127,7 @@ Report chart_report(const ChartSettings& settings, const ChartSummary& summary, 
         {"Error against samples per pixel", read_file(settings.folder + "/error_vs_spp.svg")}};
   report.tables = chart_tables(summary);
   report.facts = std::move(facts);
-  for (const auto& [name, value] : common_metadata(settings))
-    if (std::none_of(report.facts.begin(), report.facts.end(),
-                     [&](const auto& fact) { return fact.first == name; }) &&
-        name != "software" && name != "argv")
-      report.facts.emplace_back(
-          name, std::visit([](const auto& v) { return fmt::format("{}", v); }, value));
   report.facts.emplace_back("seeds", std::to_string(settings.seeds));
-  report.facts.emplace_back("line rays", std::to_string(settings.line_rays));
   report.facts.emplace_back("noise of the reference", reference.variance_source);
   return report;
 }

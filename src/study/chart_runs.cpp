@@ -1,5 +1,7 @@
 #include "raytracing/study/chart_runs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -50,46 +52,29 @@ struct Half {
   }
 };
 
-void add_method(ImageMetadata& metadata, const DirectMethod& method) {
-  metadata.emplace_back("lightSampling", std::string(method.name));
-  metadata.emplace_back("lightSamplingBiased", std::string(method.unbiased ? "no" : "yes"));
+RunFacts facts_after(const ChartSettings& settings, const PlannedRun& run,
+                     const RenderResult& result) {
+  RunFacts facts = planned_facts(settings, run);
+  add_result(facts, run_options(settings, run), result);
+  facts.variance_kind.reset();  // the pictures have no variance layers
+  facts.pixel_correlation.reset();
+  return facts;
 }
 
-ImageData run_picture(const ChartSettings& settings, const PlannedRun& run,
-                      const RenderResult& result) {
-  ImageData image = to_picture(settings.width, settings.height, means(result.film));
-  image.metadata = common_metadata(settings);
-  add_method(image.metadata, *run.method);
-  image.metadata.emplace_back("spp", static_cast<std::int64_t>(run.spp));
-  image.metadata.emplace_back("seed", static_cast<std::int64_t>(run.seed));
-  image.metadata.emplace_back("renderSeconds", result.render_seconds);
-  image.metadata.emplace_back("nonFiniteSamples",
-                              static_cast<std::int64_t>(result.non_finite_samples));
-  image.metadata.emplace_back("complete", std::string("yes"));
-  return image;
-}
-
-ChartRun measured(const PlannedRun& planned, const RenderResult& result, const ImageData& picture,
+ChartRun measured(const RunFacts& facts, std::uint64_t repetition, const ImageData& picture,
                   const Yardstick& yardstick) {
   const ErrorMetrics metrics =
       error_metrics(picture, yardstick.reference.picture, yardstick.counted);
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const auto& floor = yardstick.floor;
   ChartRun run;
-  run.method = planned.method->name;
-  run.spp = planned.spp;
-  run.repetition = planned.repetition;
-  run.seed = planned.seed;
-  run.render_seconds = result.render_seconds;
-  run.cpu_seconds = result.cpu_seconds;
-  run.rays = result.rays;
+  run.facts = facts;
+  run.repetition = repetition;
   run.mse = metrics.mse;
   run.mse_corrected = floor ? metrics.mse - floor->mse.value : kUnknown;
   run.relmse = metrics.relmse;
   run.relmse_corrected = floor ? metrics.relmse - floor->relmse.value : kUnknown;
   run.smape = metrics.smape;
-  run.mean = result.film.mean();
-  run.non_finite = result.non_finite_samples;
   run.largest = *std::max_element(picture.values.begin(), picture.values.end());
   return run;
 }
@@ -133,13 +118,13 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
     return to_picture(settings.width, settings.height, half.mean());
   };
   ImageData joined = join_halves(picture(halves[0]), picture(halves[1]));
-  joined.metadata = common_metadata(settings);
-  add_method(joined.metadata, *chunk.method);
-  joined.metadata.emplace_back("spp", static_cast<std::int64_t>(2 * halves[0].spp));
-  joined.metadata.emplace_back(
-      "seeds", std::to_string(kFirstReferenceSeed) + " to " + std::to_string(chunk.seed - 1));
-  joined.metadata.emplace_back("renderSeconds", elapsed());
-  joined.metadata.emplace_back("complete", std::string("yes"));
+  RunFacts facts = planned_facts(settings, chunk);
+  facts.spp = 2 * halves[0].spp;
+  facts.seed.reset();
+  facts.seeds = fmt::format("{} to {}", kFirstReferenceSeed, chunk.seed - 1);
+  facts.render_seconds = elapsed();
+  facts.complete = true;
+  joined.metadata = named_values(facts);
   return joined;
 }
 
@@ -161,11 +146,13 @@ bool make_runs(const Scene& scene, const ChartSettings& settings,
         });
     if (!result.complete) return false;
     done += run.spp * pixels;
-    const ImageData picture = run_picture(settings, run, result);
+    const RunFacts facts = facts_after(settings, run, result);
+    ImageData picture = to_picture(settings.width, settings.height, means(result.film));
+    picture.metadata = named_values(facts);
     OutputFile file(log.picture_path(run.method->name, run.spp, run.repetition));
     file.write(encode_image(picture, ImageFormat::exr));
     file.commit();
-    log.add(measured(run, result, picture, yardstick));
+    log.add(measured(facts, run.repetition, picture, yardstick));
   }
   return true;
 }

@@ -7,6 +7,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/io/run_facts.h"
 
 namespace raytracing {
 namespace {
@@ -45,10 +46,6 @@ RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run) 
   return options;
 }
 
-std::string depth_text(const std::optional<std::uint32_t>& max_depth) {
-  return max_depth ? std::to_string(*max_depth) : "unlimited";
-}
-
 std::string chart_title(const ChartSettings& settings) {
   return fmt::format("{}, {}x{}, {}", std::filesystem::path(settings.scene_path).stem().string(),
                      settings.width, settings.height,
@@ -58,31 +55,27 @@ std::string chart_title(const ChartSettings& settings) {
                          : fmt::format("at most {} surfaces", *settings.max_depth));
 }
 
-ImageMetadata common_metadata(const ChartSettings& settings) {
-  ImageMetadata metadata = settings.made_by;
-  metadata.emplace_back("scene", settings.scene_path);
-  metadata.emplace_back("sceneHash", fmt::format("{:016x}", settings.scene_hash));
-  metadata.emplace_back("sampler", std::string(to_string(settings.sampler)));
-  metadata.emplace_back("reuse", std::int64_t{kReuse});
-  metadata.emplace_back("maxDepth", depth_text(settings.max_depth));
-  metadata.emplace_back("threads", std::int64_t{settings.threads});
-  return metadata;
+RunFacts planned_facts(const ChartSettings& settings, const PlannedRun& run) {
+  RunFacts facts = settings.made_by;
+  facts.scene = settings.scene_path;
+  facts.scene_hash = hash_text(settings.scene_hash);
+  add_options(facts, run_options(settings, run));
+  return facts;
+}
+
+RunFacts common_facts(const ChartSettings& settings) {
+  RunFacts facts = planned_facts(settings, {settings.methods.front(), 0, 0, 0});
+  for (const FactField& field : fact_fields())
+    if (field.scope == FactScope::run)
+      std::visit([&facts](auto member) { (facts.*member).reset(); }, field.member);
+  return facts;
 }
 
 nlohmann::ordered_json settings_json(const ChartSettings& settings, const std::string& reference,
                                      const std::string& mask) {
-  nlohmann::ordered_json j;
-  j["scene_hash"] = fmt::format("{:016x}", settings.scene_hash);
-  j["width"] = settings.width;
-  j["height"] = settings.height;
-  j["max_depth"] = depth_text(settings.max_depth);
-  j["sampler"] = to_string(settings.sampler);
-  j["line_rays"] = settings.line_rays;
-  j["threads"] = settings.threads;
+  nlohmann::ordered_json j = to_json(common_facts(settings), FactScope::setup);
   j["reference"] = reference;
   j["mask"] = mask;
-  for (const auto& [name, value] : settings.made_by)
-    if (name != "argv") j[name] = std::get<std::string>(value);
   return j;
 }
 
@@ -94,8 +87,9 @@ void claim_folder(const std::string& folder, const nlohmann::ordered_json& setti
     file.commit();
     return;
   }
-  const auto found = nlohmann::ordered_json::parse(read_file(path), nullptr, false);
+  auto found = nlohmann::ordered_json::parse(read_file(path), nullptr, false);
   if (!found.is_object()) throw InputError(path + ": not a JSON object");
+  found.update(to_json(facts_from_json(found), FactScope::setup));
   for (const auto& [key, value] : settings.items()) {
     const auto other = found.value(key, nlohmann::ordered_json());
     if (other != value)

@@ -10,22 +10,27 @@ namespace raytracing {
 namespace {
 
 ChartPoint point_of(std::uint64_t spp, const std::vector<const ChartRun*>& runs) {
-  const auto spread_of = [&](auto field) {
+  const auto spread_of = [&](double ChartRun::*field) {
     std::vector<double> values;
     for (const ChartRun* run : runs) values.push_back(run->*field);
+    return spread(values);
+  };
+  const auto spread_of_fact = [&](std::optional<double> RunFacts::*field) {
+    std::vector<double> values;
+    for (const ChartRun* run : runs) values.push_back((run->facts.*field).value());
     return spread(values);
   };
   ChartPoint point{};
   point.spp = spp;
   point.seeds = runs.size();
-  point.seconds = spread_of(&ChartRun::render_seconds);
-  point.cpu_seconds = spread_of(&ChartRun::cpu_seconds);
+  point.seconds = spread_of_fact(&RunFacts::render_seconds);
+  point.cpu_seconds = spread_of_fact(&RunFacts::cpu_seconds);
   point.mse = spread_of(&ChartRun::mse);
   point.relmse = spread_of(&ChartRun::relmse);
   point.smape = spread_of(&ChartRun::smape);
   point.mse_corrected = spread_of(&ChartRun::mse_corrected);
   point.relmse_corrected = spread_of(&ChartRun::relmse_corrected);
-  for (const ChartRun* run : runs) point.non_finite += run->non_finite;
+  for (const ChartRun* run : runs) point.non_finite += run->facts.non_finite_samples.value_or(0);
   return point;
 }
 

@@ -34,16 +34,21 @@ std::vector<DVec3> variance_layers(const ImageData& picture) {
 
 bool is_variance(const DVec3& v) { return is_finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0; }
 
-bool has_replicates(const ImageData& picture) {
-  const std::string replicates = header_text(picture, "replicates");
-  return !replicates.empty() && replicates != "1";
+void expect_equal(const std::string& path, const char* what,
+                  const std::optional<std::string>& found, const std::string& wanted) {
+  if (!found || found == wanted) return;
+  throw InputError(fmt::format("{}: not a reference for this chart: its {} is {}, not {}", path,
+                               what, *found, wanted));
 }
 
-void expect_equal(const std::string& path, const char* what, const std::string& found,
-                  const std::string& wanted) {
-  if (found.empty() || found == wanted) return;
-  throw InputError(fmt::format("{}: not a reference for this chart: its {} is {}, not {}", path,
-                               what, found, wanted));
+// The names of those facts that a reference is checked by and its header does not state.
+std::string unchecked_facts(const RunFacts& facts) {
+  std::string names;
+  for (const FactField& field : fact_fields())
+    for (const char* name : {"scene_hash", "light_sampling_biased", "max_depth", "complete"})
+      if (field.name == name && !fact_value(facts, field))
+        names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
 }
 
 }  // namespace
@@ -89,22 +94,17 @@ ImageData join_halves(const ImageData& a, const ImageData& b) {
   return joined;
 }
 
-bool errors_are_alike(const ImageData& picture) {
-  const std::string kind = header_text(picture, "pixelCorrelation");
-  return !kind.empty() && !kind.starts_with("none");
-}
-
 Reference to_reference(ImageData picture) {
+  const RunFacts facts = facts_of(picture.metadata);
   Reference reference{std::move(picture), {}, ""};
   if (RgbView::has(reference.picture, "halfA.") && RgbView::has(reference.picture, "halfB.")) {
     reference.variance = variance_of_halves(reference.picture);
     reference.variance_source = "from two independent halves";
   } else if (!RgbView::has(reference.picture, "variance.")) {
     reference.variance_source = "not known: the file has neither halves nor variance";
-  } else if (errors_are_alike(reference.picture)) {
+  } else if (has_correlated_pixels(facts)) {
     reference.variance_source = "not known: neighbouring pixels share paths; --reuse 1 avoids it";
-  } else if (header_text(reference.picture, "sampler") == "independent" ||
-             has_replicates(reference.picture)) {
+  } else if (facts.sampler == "independent" || facts.replicates.value_or(1) != 1) {
     reference.variance = variance_layers(reference.picture);
     reference.variance_source = "from the variance layers";
   } else {
@@ -118,15 +118,6 @@ Reference to_reference(ImageData picture) {
   return reference;
 }
 
-std::string header_text(const ImageData& image, const std::string& name) {
-  const auto found = std::find_if(image.metadata.begin(), image.metadata.end(),
-                                  [&](const auto& entry) { return entry.first == name; });
-  if (found == image.metadata.end()) return "";
-  if (const auto* text = std::get_if<std::string>(&found->second)) return *text;
-  if (const auto* whole = std::get_if<std::int64_t>(&found->second)) return std::to_string(*whole);
-  return fmt::format("{}", std::get<double>(found->second));
-}
-
 Reference read_reference(const std::string& path, const ReferenceTerms& terms) {
   if (read_file(path).starts_with("\x89PNG"))
     throw InputError(path + ": 8 bits are too few for a reference; it must be an EXR");
@@ -134,23 +125,20 @@ Reference read_reference(const std::string& path, const ReferenceTerms& terms) {
   const ImageData& picture = reference.picture;
   expect_equal(path, "size", fmt::format("{}x{}", picture.width, picture.height),
                fmt::format("{}x{}", terms.width, terms.height));
-  expect_equal(path, "scene hash", header_text(picture, "sceneHash"),
-               fmt::format("{:016x}", terms.scene_hash));
-  expect_equal(path, "maximal depth", header_text(picture, "maxDepth"), terms.max_depth);
-  if (header_text(picture, "lightSamplingBiased") == "yes")
+  const RunFacts facts = facts_of(picture.metadata);
+  expect_equal(path, "scene hash", facts.scene_hash, hash_text(terms.scene_hash));
+  if (facts.max_depth)
+    expect_equal(path, "maximal depth", to_text(*facts.max_depth), terms.max_depth);
+  if (facts.light_sampling_biased == true)
     throw InputError(fmt::format("{}: not a reference: its method {} is biased", path,
-                                 header_text(picture, "lightSampling")));
-  const std::string complete = header_text(picture, "complete");
-  if (!complete.empty() && complete != "yes")
+                                 facts.light_sampling.value_or("")));
+  if (facts.complete == false)
     throw InputError(path + ": not a reference: its rendering was stopped early");
-  for (const char* name : {"sceneHash", "maxDepth", "lightSamplingBiased", "complete"})
-    if (header_text(picture, name).empty())
-      reference.unchecked += (reference.unchecked.empty() ? "" : ", ") + std::string(name);
-  const std::string seed = header_text(picture, "seed");
+  reference.unchecked = unchecked_facts(facts);
   for (const std::uint64_t other : terms.seeds)
-    if (seed == std::to_string(other))
+    if (facts.seed == other)
       throw InputError(
-          fmt::format("{}: not a reference: its seed {} is that of a test run", path, seed));
+          fmt::format("{}: not a reference: its seed {} is that of a test run", path, other));
   return reference;
 }
 

@@ -73,6 +73,12 @@ Json part(const std::vector<Element>& elements) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> fact_rows(const RunFacts& facts) {
+  std::vector<std::pair<std::string, std::string>> rows;
+  for (const auto& [name, value] : named_values(facts)) rows.emplace_back(name, to_text(value));
+  return rows;
+}
+
 std::string report_html(const Report& report) {
   return fill_template(kReportPage, {{"title", report.title},
                                      {"notes", report.notes},

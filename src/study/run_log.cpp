@@ -13,53 +13,38 @@
 namespace raytracing {
 namespace {
 
-constexpr std::string_view kHeader =
-    "method,spp,repetition,seed,render_seconds,cpu_seconds,rays_closest,rays_shadow,"
-    "segment_queries,mse,mse_corrected,relmse,relmse_corrected,smape,mean_r,mean_g,mean_b,"
-    "non_finite_samples,largest";
+// The columns of a row behind the facts of scope run.
+struct Measure {
+  std::string_view name;
+  double ChartRun::*member;
+};
+constexpr Measure kMeasures[] = {
+    {"mse", &ChartRun::mse},       {"mse_corrected", &ChartRun::mse_corrected},
+    {"relmse", &ChartRun::relmse}, {"relmse_corrected", &ChartRun::relmse_corrected},
+    {"smape", &ChartRun::smape},   {"largest", &ChartRun::largest}};
 
-// Visits every field of the row in the order of the header.
-template <class Run, class F>
-void visit_fields(Run& r, const F& f) {
-  f(r.method), f(r.spp), f(r.repetition), f(r.seed), f(r.render_seconds), f(r.cpu_seconds);
-  f(r.rays.closest), f(r.rays.shadow), f(r.rays.segments), f(r.mse), f(r.mse_corrected);
-  f(r.relmse), f(r.relmse_corrected), f(r.smape), f(r.mean.x), f(r.mean.y), f(r.mean.z);
-  f(r.non_finite), f(r.largest);
+template <class Visit>
+void for_each_column(const Visit& visit) {
+  for (const FactField& field : fact_fields())
+    if (field.scope == FactScope::run) visit(field);
 }
 
-/// Takes one field after the other from a line.
-class FieldReader {
- public:
-  explicit FieldReader(std::string_view line) : rest_(line) {}
+// Splits a line at its commas.
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t comma; (comma = line.find(',')) != std::string_view::npos;
+       line.remove_prefix(comma + 1))
+    cells.push_back(line.substr(0, comma));
+  cells.push_back(line);
+  return cells;
+}
 
-  void operator()(std::string& field) { field = next(); }
-  void operator()(std::uint64_t& field) { read(next(), field); }
-  void operator()(double& field) {
-    const std::string_view text = next();
-    field = std::numeric_limits<double>::quiet_NaN();
-    if (!text.empty()) read(text, field);
-  }
-  bool all_read() const { return good_ && ended_; }
-
- private:
-  std::string_view next() {
-    if (ended_) good_ = false;
-    const std::size_t comma = rest_.find(',');
-    const std::string_view field = rest_.substr(0, comma);
-    ended_ = comma == std::string_view::npos;
-    rest_ = ended_ ? std::string_view() : rest_.substr(comma + 1);
-    return field;
-  }
-  template <class Number>
-  void read(std::string_view text, Number& field) {
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, field);
-    if (stop != end || error != std::errc()) good_ = false;
-  }
-
-  std::string_view rest_;
-  bool ended_ = false, good_ = true;
-};
+template <class Number>
+bool read_number(std::string_view text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return stop == end && error == std::errc();
+}
 
 [[noreturn]] void throw_not_written(const std::string& path) {
   throw OutputError(path + ": cannot be written");
@@ -67,26 +52,48 @@ class FieldReader {
 
 }  // namespace
 
-std::string run_csv_header() { return std::string(kHeader); }
+std::string run_csv_header() {
+  std::string line;
+  for_each_column([&line](const FactField& field) { line += std::string(field.name) + ","; });
+  line += "repetition";
+  for (const Measure& measure : kMeasures) line += "," + std::string(measure.name);
+  return line;
+}
 
 std::string to_csv(const ChartRun& run) {
   std::string line;
-  visit_fields(run, [&line](const auto& field) {
-    if (!line.empty()) line += ',';
-    if constexpr (std::is_same_v<std::decay_t<decltype(field)>, double>) {
-      if (!std::isnan(field)) line += fmt::format("{}", field);
-    } else {
-      line += fmt::format("{}", field);
-    }
+  for_each_column([&](const FactField& field) {
+    if (const auto value = fact_value(run.facts, field)) line += to_text(*value);
+    line += ',';
   });
+  line += std::to_string(run.repetition);
+  for (const Measure& measure : kMeasures) {
+    const double value = run.*measure.member;
+    line += std::isnan(value) ? "," : fmt::format(",{}", value);
+  }
   return line;
 }
 
 std::optional<ChartRun> run_from_csv(std::string_view line) {
+  const std::vector<std::string_view> cells = cells_of(line);
+  if (cells.size() != cells_of(run_csv_header()).size()) return std::nullopt;
   ChartRun run;
-  FieldReader reader(line);
-  visit_fields(run, [&reader](auto& field) { reader(field); });
-  if (!reader.all_read()) return std::nullopt;
+  bool good = true;
+  auto cell = cells.begin();
+  for_each_column([&](const FactField& field) {
+    read_fact(run.facts, field, *cell);
+    good = good && (cell->empty() || fact_value(run.facts, field));
+    ++cell;
+  });
+  good = good && read_number(*cell++, run.repetition);
+  for (const Measure& measure : kMeasures) {
+    run.*measure.member = std::numeric_limits<double>::quiet_NaN();
+    good = good && (cell->empty() || read_number(*cell, run.*measure.member));
+    ++cell;
+  }
+  const RunFacts& facts = run.facts;
+  if (!good || !facts.light_sampling || !facts.spp || !facts.render_seconds || !facts.cpu_seconds)
+    return std::nullopt;
   return run;
 }
 
@@ -101,13 +108,14 @@ RunLog::RunLog(std::string folder) : folder_(std::move(folder)) {
     text = bytes;
     if (!text.starts_with(run_csv_header() + "\n"))
       throw InputError(path + ": its first line is not that of a chart's runs");
-    text.remove_prefix(kHeader.size() + 1);
+    text.remove_prefix(run_csv_header().size() + 1);
     // What follows the last line's end was cut off.
     for (std::size_t end; (end = text.find('\n')) != std::string_view::npos;
          text.remove_prefix(end + 1)) {
       const auto run = run_from_csv(text.substr(0, end));
       if (!run) continue;
-      if (std::filesystem::exists(picture_path(run->method, run->spp, run->repetition)))
+      if (std::filesystem::exists(
+              picture_path(*run->facts.light_sampling, *run->facts.spp, run->repetition)))
         runs_.push_back(*run);
       else
         ++dropped_;
@@ -130,7 +138,8 @@ RunLog::RunLog(std::string folder) : folder_(std::move(folder)) {
 const ChartRun* RunLog::find(std::string_view method, std::uint64_t spp,
                              std::uint64_t repetition) const {
   for (const ChartRun& run : runs_)
-    if (run.method == method && run.spp == spp && run.repetition == repetition) return &run;
+    if (run.facts.light_sampling == method && run.facts.spp == spp && run.repetition == repetition)
+      return &run;
   return nullptr;
 }
 

@@ -82,15 +82,16 @@ struct Tally {
 // Degrees of freedom of the picture's variances: 0 = no layers, or not known.
 double degrees_of(const ImageData& image) {
   if (!RgbView::has(image, "variance.")) return 0;
-  const double replicates = std::atof(header_text(image, "replicates").c_str());
-  const double spp = std::atof(header_text(image, "spp").c_str());
-  return std::max(0.0, (replicates > 1 ? replicates : spp) - 1);
+  const RunFacts facts = facts_of(image.metadata);
+  const std::uint64_t replicates = facts.replicates.value_or(1);
+  const std::uint64_t samples = replicates > 1 ? replicates : facts.spp.value_or(1);
+  return samples > 1 ? static_cast<double>(samples - 1) : 0;
 }
 
 bool overstates(const ImageData& image) {
-  const std::string replicates = header_text(image, "replicates");
-  return RgbView::has(image, "variance.") && header_text(image, "sampler") == "sobol" &&
-         (replicates.empty() || replicates == "1");
+  const RunFacts facts = facts_of(image.metadata);
+  return RgbView::has(image, "variance.") && facts.sampler == "sobol" &&
+         facts.replicates.value_or(1) == 1;
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST_F(ChartCommand, LeavesTablesPicturesAndAPage) {
     EXPECT_NE(run.out.find(std::string(name) + "\n"), std::string::npos) << name;
   }
   const nlohmann::json j = at_.json("c/summary.json");
-  EXPECT_EQ(j["max_depth"], "1");
+  EXPECT_EQ(j["max_depth"], 1);
   EXPECT_GT(j["noise_floor"]["relmse"]["value"], 0);
   ASSERT_EQ(j["methods"].size(), 2u);
   for (const auto& method : j["methods"]) {

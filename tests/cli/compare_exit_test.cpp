@@ -74,15 +74,15 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
   const auto write = [&](const char* name, ImageMetadata metadata) {
     folder.write(name, rgb_picture(1, 1, {1, 1, 1}, std::move(metadata)));
   };
-  const std::string hash = "sceneHash";
+  const std::string hash = "scene_hash";
   write("plain.exr", {});
   write("one.exr", {{hash, "01"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
   write("seed.exr", {{hash, "01"}, {"seed", std::int64_t{4}}, {"sampler", "sobol"}});
   write("other.exr", {{hash, "02"}, {"seed", std::int64_t{3}}, {"sampler", "sobol"}});
-  write("biased.exr", {{"lightSampling", "line-ratio"}, {"lightSamplingBiased", "yes"}});
-  write("part.exr", {{"complete", "no, stopped early"}});
-  write("alone.exr", {{"pixelCorrelation", "none: independent"}});
-  write("alike.exr", {{"pixelCorrelation", "errors are alike"}});
+  write("biased.exr", {{"light_sampling", "line-ratio"}, {"light_sampling_biased", true}});
+  write("part.exr", {{"complete", false}});
+  write("alone.exr", {{"pixel_correlation", "none: independent"}});
+  write("alike.exr", {{"pixel_correlation", "errors are alike"}});
   const std::string same =
       "note: both pictures have the same seed: their errors are not independent\n";
   for (const auto& [a, b, notes] : std::vector<std::array<std::string, 3>>{
@@ -90,7 +90,7 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
            {"plain.exr", "one.exr", ""},
            {"one.exr", "seed.exr", ""},
            {"one.exr", "one.exr", same},
-           {"one.exr", "other.exr", "warning: of different scenes: sceneHash 01 and 02\n"},
+           {"one.exr", "other.exr", "warning: of different scenes: scene_hash 01 and 02\n"},
            {"plain.exr", "biased.exr",
             "note: biased.exr: made by the biased method line-ratio: more samples do not bring it "
             "to the true picture\n"},
@@ -105,7 +105,7 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
 
 TEST(CompareExit, ALineBreakInAFileNameMakesNoSecondLine) {
   const CompareFolder folder;
-  folder.write("a\nb.exr", rgb_picture(1, 1, {1, 1, 1}, {{"complete", "no, stopped early"}}));
+  folder.write("a\nb.exr", rgb_picture(1, 1, {1, 1, 1}, {{"complete", false}}));
   const RunResult run = folder.compare({"a\nb.exr", "a\nb.exr"});
   EXPECT_EQ(run.exit_code, 0);
   const std::string note = "warning: a b.exr: its rendering was stopped early\n";
@@ -119,7 +119,7 @@ TEST(CompareExit, RenderedPicturesCarryWhatTheNotesNeed) {
   ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2", "--variance"}).exit_code, 0);
   const std::string notes = folder.compare({"a.exr", "b.exr"}).err;
   EXPECT_EQ(notes.substr(0, 41), "note: a.exr: made by the biased method li");
-  EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 16 apart are alike"),
+  EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 16 apart are correlated"),
             std::string::npos)
       << notes;
 }

@@ -162,10 +162,10 @@ TEST(Effects, VarianceOfReplicatesIsThatOfTheirMeans) {
       EXPECT_NEAR(two.at(x, y, "variance.G"), half * half, 1e-5 * half * half + 1e-9);
     }
   EXPECT_EQ(two.attribute("replicates"), "2");
-  EXPECT_NE(two.attribute("varianceKind").find("replicates"), std::string::npos);
-  EXPECT_NE(two.attribute("varianceKind").find("1 degrees of freedom"), std::string::npos);
+  EXPECT_NE(two.attribute("variance_kind").find("replicates"), std::string::npos);
+  EXPECT_NE(two.attribute("variance_kind").find("1 degrees of freedom"), std::string::npos);
   EXPECT_EQ(folder.json("s.json")["replicates"], 2);
-  EXPECT_EQ(folder.json("s.json")["variance_kind"], two.attribute("varianceKind"));
+  EXPECT_EQ(folder.json("s.json")["variance_kind"], two.attribute("variance_kind"));
 }
 
 TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
@@ -173,7 +173,7 @@ TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
   const auto kind = [&](std::vector<std::string> options) {
     options.insert(options.end(), {"--quiet", "-o", "x.exr"});
     EXPECT_EQ(folder.render(options).exit_code, 0);
-    return read_with_oiio(folder.folder / "x.exr").attribute("varianceKind");
+    return read_with_oiio(folder.folder / "x.exr").attribute("variance_kind");
   };
   EXPECT_EQ(kind({}), "");
   EXPECT_NE(kind({"--variance"}).find("too large"), std::string::npos);
@@ -187,7 +187,7 @@ TEST(Effects, HeaderTellsWhetherPixelsAreIndependent) {
   const auto correlation = [&](std::vector<std::string> options) {
     options.insert(options.end(), {"--quiet", "--variance", "-o", "x.exr", "--stats", "s.json"});
     EXPECT_EQ(folder.render(options).exit_code, 0);
-    const auto text = read_with_oiio(folder.folder / "x.exr").attribute("pixelCorrelation");
+    const auto text = read_with_oiio(folder.folder / "x.exr").attribute("pixel_correlation");
     EXPECT_EQ(folder.json("s.json")["pixel_correlation"], text);
     return text;
   };

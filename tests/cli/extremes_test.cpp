@@ -35,7 +35,7 @@ struct Extremes : ::testing::Test {
     more.insert(more.begin(), {"s.toml", "-o", "s.exr", "--stats", "s.json", "--spp=16"});
     return at_.run(more);
   }
-  double mean() const { return at_.json("s.json")["mean_rgb"][1]; }
+  double mean() const { return at_.json("s.json")["mean_g"]; }
   CliFolder at_;
 };
 

@@ -44,7 +44,7 @@ NoisyPicture read_reference(const Case& c) {
   const ReadImage image = read_with_oiio(path.string());
   EXPECT_TRUE(image.attribute("generatedBy").starts_with("Mitsuba version 3."));
   EXPECT_EQ(image.attribute("scene"), "scenes/" + c.scene + ".toml");
-  EXPECT_EQ(image.attribute("maxDepth"), c.direct ? "1" : "unlimited");
+  EXPECT_EQ(image.attribute("max_depth"), c.direct ? "1" : "unlimited");
   return noisy_picture(image);
 }
 

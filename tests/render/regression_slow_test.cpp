@@ -46,7 +46,7 @@ NoisyPicture render_picture(SceneDescription description, std::string_view metho
 NoisyPicture read_reference(const std::string& scene) {
   const ReadImage image = read_with_oiio(reference_path(scene).string());
   EXPECT_EQ(image.attribute("sampler"), "independent");
-  EXPECT_EQ(image.attribute("complete"), "yes");
+  EXPECT_EQ(image.attribute("complete"), "true");
   EXPECT_EQ(image.spec.width, kSize);
   EXPECT_EQ(image.spec.height, kSize);
   return noisy_picture(image);

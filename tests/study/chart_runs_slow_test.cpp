@@ -109,26 +109,30 @@ TEST_F(ChartRuns, AreMeasuredAsTheirPicturesAre) {
   const auto floor = noise_floor(reference_, counted_);
   ASSERT_EQ(log_->runs().size(), 3 * settings_.seeds);
   for (const ChartRun& run : log_->runs()) {
-    const ImageData image = read_image(log_->picture_path(run.method, run.spp, run.repetition));
+    const ImageData image =
+        read_image(log_->picture_path(*run.facts.light_sampling, 64, run.repetition));
     const ErrorMetrics metrics = error_metrics(image, reference_.picture);
     EXPECT_EQ(run.relmse, metrics.relmse);
     EXPECT_EQ(run.mse, metrics.mse);
     EXPECT_EQ(run.smape, metrics.smape);
     EXPECT_EQ(run.relmse_corrected, metrics.relmse - floor->relmse.value);
     EXPECT_EQ(run.largest, *std::max_element(image.values.begin(), image.values.end()));
-    EXPECT_EQ(run.rays.closest, 16u * 16u * 64u);
-    EXPECT_GT(run.render_seconds, 0);
-    EXPECT_EQ(run.seed, run_seed(64, run.repetition));
-    EXPECT_EQ(header_text(image, "seed"), std::to_string(run.seed));
-    EXPECT_EQ(header_text(image, "lightSamplingBiased"), run.method == "line-ratio" ? "yes" : "no");
+    EXPECT_EQ(run.facts.spp, 64u);
+    EXPECT_EQ(run.facts.rays_closest, 16u * 16u * 64u);
+    EXPECT_GT(run.facts.render_seconds, 0);
+    EXPECT_EQ(run.facts.seed, run_seed(64, run.repetition));
+    const RunFacts header = facts_of(image.metadata);
+    EXPECT_EQ(header.seed, run.facts.seed);
+    EXPECT_EQ(header.light_sampling_biased, run.facts.light_sampling == "line-ratio");
   }
 }
 
 TEST_F(ChartRuns, AReferenceRenderedInNoTimeHasTwoChunks) {
   const auto picture = render_reference(*scene_, settings_, 0, kNever, nullptr);
   ASSERT_TRUE(picture);
-  EXPECT_EQ(header_text(*picture, "spp"), "32");
-  EXPECT_EQ(header_text(*picture, "lightSampling"), "line");
+  const RunFacts header = facts_of(picture->metadata);
+  EXPECT_EQ(header.spp, 32u);
+  EXPECT_EQ(header.light_sampling, "line");
   OutputFile file(folder_ / "rendered.exr");
   file.write(encode_image(*picture, ImageFormat::exr));
   file.commit();

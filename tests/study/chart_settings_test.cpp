@@ -21,7 +21,8 @@ ChartSettings example() {
   settings.width = settings.height = 8;
   settings.spp = {1, 2, 4};
   settings.seeds = 10;
-  settings.made_by = {{"build", std::string("x")}, {"argv", std::string("y")}};
+  settings.made_by.build = "x";
+  settings.made_by.command = "y";
   return settings;
 }
 
@@ -83,7 +84,7 @@ TEST_F(ClaimedFolder, TakesOtherMethodsSppSeedsAndCommandLines) {
   other.methods.pop_back();
   other.spp = {8};
   other.seeds = 3;
-  other.made_by[1].second = std::string("z");
+  other.made_by.command = "z";
   EXPECT_EQ(refusal(other), "");
 }
 
@@ -99,7 +100,7 @@ TEST_F(ClaimedFolder, RefusesWhatDiffers) {
            [](ChartSettings& s) { s.height = 9; }, [](ChartSettings& s) { s.line_rays = 9; },
            [](ChartSettings& s) { s.threads = 9; },
            [](ChartSettings& s) { s.sampler = SamplerKind::independent; },
-           [](ChartSettings& s) { s.made_by[0].second = std::string("another"); }}) {
+           [](ChartSettings& s) { s.made_by.build = "another"; }}) {
     other = example();
     change(other);
     EXPECT_NE(refusal(other), "");

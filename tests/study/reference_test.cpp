@@ -93,7 +93,7 @@ TEST(Reference, SharedPathsMakeTheNoiseUnknown) {
   ImageData picture = join_halves(maker.picture(0.1), maker.picture(0.1));
   picture.channels = {"R", "G", "B", "variance.R", "variance.G", "variance.B", "x", "y", "z"};
   picture.metadata = {{"sampler", std::string("independent")},
-                      {"pixelCorrelation", std::string("none: independent")}};
+                      {"pixel_correlation", std::string("none: independent")}};
   EXPECT_EQ(to_reference(picture).variance.size(), 4u);
   picture.metadata[1].second = std::string("errors of pixels less than 8 apart are alike");
   const Reference reference = to_reference(picture);
@@ -119,12 +119,12 @@ TEST(Reference, VarianceThatIsNoneMakesTheNoiseUnknown) {
 class ReferenceFile : public ::testing::Test {
  protected:
   ReferenceFile() : picture_(NoisyPictures(2, 3).picture(0.1)) {
-    picture_.metadata = {{"sceneHash", std::string("00000000000000ff")},
-                         {"maxDepth", std::string("1")},
+    picture_.metadata = {{"scene_hash", std::string("00000000000000ff")},
+                         {"max_depth", std::string("1")},
                          {"seed", std::int64_t{7}},
-                         {"lightSampling", std::string("line")},
-                         {"lightSamplingBiased", std::string("no")},
-                         {"complete", std::string("yes")}};
+                         {"light_sampling", std::string("line")},
+                         {"light_sampling_biased", false},
+                         {"complete", true}};
   }
 
   void set(const std::string& name, const std::string& value) {
@@ -157,11 +157,11 @@ TEST_F(ReferenceFile, WithoutHeaderIsTakenAndWhatWasNotCheckedIsTold) {
   };
   EXPECT_EQ(unchecked(), "");
   picture_.metadata.clear();
-  EXPECT_EQ(unchecked(), "sceneHash, maxDepth, lightSamplingBiased, complete");
+  EXPECT_EQ(unchecked(), "scene_hash, light_sampling_biased, max_depth, complete");
 }
 
 TEST_F(ReferenceFile, ThatWasStoppedIsRefused) {
-  set("complete", "no, stopped early");
+  set("complete", "false");
   EXPECT_EQ(refusal(), ": not a reference: its rendering was stopped early");
 }
 
@@ -171,19 +171,19 @@ TEST_F(ReferenceFile, OfAnotherSizeIsRefused) {
 }
 
 TEST_F(ReferenceFile, OfAnotherSceneIsRefused) {
-  set("sceneHash", "0000000000000001");
+  set("scene_hash", "0000000000000001");
   EXPECT_EQ(refusal(),
             ": not a reference for this chart: its scene hash is 0000000000000001, "
             "not 00000000000000ff");
 }
 
 TEST_F(ReferenceFile, OfAnotherDepthIsRefused) {
-  set("maxDepth", "unlimited");
+  set("max_depth", "unlimited");
   EXPECT_EQ(refusal(), ": not a reference for this chart: its maximal depth is unlimited, not 1");
 }
 
 TEST_F(ReferenceFile, OfABiasedMethodIsRefused) {
-  set("lightSamplingBiased", "yes");
+  set("light_sampling_biased", "true");
   EXPECT_EQ(refusal(), ": not a reference: its method line is biased");
 }
 

@@ -16,20 +16,24 @@ namespace {
 
 ChartRun example(std::uint64_t repetition = 3) {
   ChartRun run;
-  run.method = "solid-angle";
-  run.spp = 16;
+  run.facts.light_sampling = "solid-angle";
+  run.facts.spp = 16;
   run.repetition = repetition;
-  run.seed = (std::uint64_t{1} << 60) + 1;  // more digits than a double has
-  run.render_seconds = 0.1;
-  run.cpu_seconds = 1.0 / 3;
-  run.rays = {1, 2, 3};
+  run.facts.seed = (std::uint64_t{1} << 60) + 1;  // more digits than a double has
+  run.facts.render_seconds = 0.1;
+  run.facts.cpu_seconds = 1.0 / 3;
+  run.facts.rays_closest = 1;
+  run.facts.rays_shadow = 2;
+  run.facts.segment_queries = 3;
   run.mse = 1e-300;
   run.mse_corrected = -1.25e-5;
   run.relmse = 2.5;
   run.relmse_corrected = std::numeric_limits<double>::quiet_NaN();
   run.smape = 0.25;
-  run.mean = {0.1, 0.2, 0.3};
-  run.non_finite = 7;
+  run.facts.mean_r = 0.1;
+  run.facts.mean_g = 0.2;
+  run.facts.mean_b = 0.3;
+  run.facts.non_finite_samples = 7;
   run.largest = 1e30;
   return run;
 }
@@ -52,12 +56,12 @@ TEST(RunLog, RowsKeepEveryDigit) {
   const auto back = run_from_csv(row);
   ASSERT_TRUE(back) << row;
   EXPECT_EQ(to_csv(*back), row);
-  EXPECT_EQ(back->method, run.method);
-  EXPECT_EQ(back->seed, run.seed);
-  EXPECT_EQ(back->cpu_seconds, run.cpu_seconds);
+  EXPECT_EQ(back->facts.light_sampling, run.facts.light_sampling);
+  EXPECT_EQ(back->facts.seed, run.facts.seed);
+  EXPECT_EQ(back->facts.cpu_seconds, run.facts.cpu_seconds);
   EXPECT_EQ(back->mse_corrected, run.mse_corrected);
   EXPECT_TRUE(std::isnan(back->relmse_corrected));
-  EXPECT_EQ(back->mean, run.mean);
+  EXPECT_EQ(back->facts.mean_b, run.facts.mean_b);
   EXPECT_EQ(back->largest, run.largest);
 }
 

@@ -34,7 +34,7 @@ def main():
             header = {
                 "software": f"Mitsuba {mi.__version__} with a height-correlated GGX plugin",
                 "scene": f"scenes/{name}.toml",
-                "maxDepth": "unlimited" if max_depth is None else str(max_depth),
+                "max_depth": "unlimited" if max_depth is None else str(max_depth),
                 "spp": str(SPP * PASSES),
                 "replicates": str(PASSES),
                 "sampler": "multijitter",

@@ -2,15 +2,14 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
+
+#include "raytracing/render/provenance.h"
 
 namespace raytracing {
 
-/// Named facts that go into an image's header, in order. EXR keeps the types; PNG stores text.
-using ImageMetadata =
-    std::vector<std::pair<std::string, std::variant<std::string, std::int64_t, double>>>;
+/// The entries of an image's header, in order. EXR keeps numbers as numbers; PNG stores text.
+using ImageMetadata = NamedValues;
 
 /// Float channels of one picture, interleaved by pixel, top row first.
 struct ImageData {
@@ -19,6 +18,7 @@ struct ImageData {
   std::vector<std::string> channels;  ///< for example R, G, B, variance.R, variance.G, variance.B
   std::vector<float> values;          ///< width * height * channels.size(), linear
   ImageMetadata metadata;
+  int integer_bits = 0;  ///< bits of an integer channel of a picture that was read; 0 = float
 };
 
 enum class ImageFormat { png, exr };

@@ -10,7 +10,7 @@ namespace raytracing {
 /// - EXR: all channels of the (first) part's data window, half, float and uint alike, as floats;
 ///   attributes that are text or a number go to `metadata`. Deep and subsampled ones are refused.
 /// - PNG, 8 or 16 bit, grey or colour, decoded to linear by IEC 61966-2-1; text chunks go to
-///   `metadata`, behind the number bitsPerSample (8 or 16). Grey becomes three equal channels. A
+///   `metadata`. Grey becomes three equal channels. A
 ///   gamma other than sRGB's is refused, and so is transparency: what lies behind is not known.
 /// At most 65536 pixels a side and 2^28 values. Throws InputError, "file: reason".
 ImageData read_image(const std::string& path);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/render/provenance.h"
 #include "raytracing/render/render.h"
 
 namespace raytracing {
@@ -24,7 +24,7 @@ struct ChartSettings {
   std::vector<const DirectMethod*> methods;
   std::vector<std::uint64_t> spp;  ///< rising
   std::uint64_t seeds = 8;         ///< runs of each method at each spp
-  ImageMetadata made_by;           ///< for the headers of pictures: software, build, argv
+  RunFacts made_by;                ///< about program, machine and command line
 };
 
 /// One rendering of the chart.
@@ -47,14 +47,13 @@ std::vector<PlannedRun> plan_runs(const ChartSettings& settings);
 
 RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run);
 
-/// "1" or "unlimited"
-std::string depth_text(const std::optional<std::uint32_t>& max_depth);
-
 /// "cornell, 256x256, direct light only"
 std::string chart_title(const ChartSettings& settings);
 
-/// A picture's header as far as it is common to all pictures of the chart.
-ImageMetadata common_metadata(const ChartSettings& settings);
+/// The facts of a run that are known before it is rendered.
+RunFacts planned_facts(const ChartSettings& settings, const PlannedRun& run);
+/// Those that all runs of the chart share.
+RunFacts common_facts(const ChartSettings& settings);
 
 /// What all runs of a folder must have in common. `reference` and `mask` tell which they are.
 nlohmann::ordered_json settings_json(const ChartSettings& settings, const std::string& reference,

@@ -44,13 +44,6 @@ ImageData join_halves(const ImageData& a, const ImageData& b);
 /// not show them to be unbiased (independent samples, or replicates) or some are no finite numbers.
 Reference to_reference(ImageData picture);
 
-/// What the picture's header says under this name as text; "" when it does not.
-std::string header_text(const ImageData& image, const std::string& name);
-
-/// Whether the header tells that the errors of neighbouring pixels are alike: then means over
-/// pixels are less sure than the variances of the pixels say.
-bool errors_are_alike(const ImageData& picture);
-
 /// What a file must agree with to be the reference.
 struct ReferenceTerms {
   int width, height;

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "raytracing/render/provenance.h"
+
 namespace raytracing {
 
 /// A picture to look at.
@@ -37,6 +39,9 @@ struct Report {
   std::vector<ReportTable> tables;
   std::vector<std::pair<std::string, std::string>> facts;  ///< how it was made: name and value
 };
+
+/// The known facts of a run as rows for Report::facts.
+std::vector<std::pair<std::string, std::string>> fact_rows(const RunFacts& facts);
 
 /// The report as one HTML page that needs no other file and no network: two pictures under a
 /// draggable divider, with zoom and error maps, then charts, tables and how it was made.

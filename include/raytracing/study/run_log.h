@@ -8,28 +8,20 @@
 #include <string_view>
 #include <vector>
 
-#include "raytracing/integrator/visibility.h"
-#include "raytracing/math/vec.h"
+#include "raytracing/render/provenance.h"
 
 namespace raytracing {
 
-/// What is recorded of one run of a chart. Errors are against the reference, over the pixels that
-/// count; "corrected": less the noise floor of the reference, so that a single run may well be
+/// One run of a chart: its facts and its errors. Errors are against the reference, over the pixels
+/// that count; "corrected": less the noise floor of the reference, so that a single run may well be
 /// below 0; NaN (an empty field) when the floor is not known.
 struct ChartRun {
-  std::string method;
-  std::uint64_t spp = 0;
+  RunFacts facts;
   std::uint64_t repetition = 0;
-  std::uint64_t seed = 0;
-  double render_seconds = 0;  ///< wall clock
-  double cpu_seconds = 0;     ///< of all threads
-  RayCounts rays;
   double mse = 0, mse_corrected = 0;
   double relmse = 0, relmse_corrected = 0;
   double smape = 0;
-  DVec3 mean{0.0};               ///< of all pixels
-  std::uint64_t non_finite = 0;  ///< samples
-  double largest = 0;            ///< of all channels of all pixels
+  double largest = 0;  ///< of all channels of all pixels
 };
 
 /// The first line of runs.csv, without its end.

@@ -179,7 +179,7 @@ class Chart {
   }
 
   std::vector<std::pair<std::string, std::string>> facts() const {
-    auto facts = request_.facts;
+    auto facts = fact_rows(common_facts(settings_));
     facts.emplace_back("reference", reference_id());
     facts.emplace_back("mask", mask_id_);
     return facts;

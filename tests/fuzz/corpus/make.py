@@ -107,7 +107,7 @@ def write_exr(folder):
         write(name.lower(), {c: v.astype(kind) for c, v in rgb.items()},
               compression=getattr(OpenEXR, name + "_COMPRESSION"))
     write("layers", {**rgb, "variance.R": values, "id": values.astype(numpy.uint32)},
-          compression=OpenEXR.ZIP_COMPRESSION, sceneHash="00ff", spp=64, seconds=0.25)
+          compression=OpenEXR.ZIP_COMPRESSION, scene_hash="00ff", spp=64, seconds=0.25)
     write("tiled", rgb, compression=OpenEXR.ZIP_COMPRESSION, type=OpenEXR.tiledimage,
           tiles=OpenEXR.TileDescription())
     write("no-green", {"R": values, "B": values}, compression=OpenEXR.RLE_COMPRESSION)

@@ -15,7 +15,6 @@ struct ChartRequest {
   std::string reference = "auto";  ///< path of an EXR picture; "auto": rendered and kept
   double reference_seconds = 60;   ///< rendering time of an automatic reference
   std::string mask;                ///< path of a picture; "" = every pixel counts
-  std::vector<std::pair<std::string, std::string>> facts;  ///< for the page: name and value
 };
 
 /// Receives what happens while a chart is made.
