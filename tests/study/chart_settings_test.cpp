@@ -93,7 +93,7 @@ TEST_F(ClaimedFolder, RefusesWhatDiffers) {
   ChartSettings other = example();
   other.max_depth = 1;
   EXPECT_EQ(refusal(other),
-            ": made with max_depth \"unlimited\", not \"1\"; choose another --out, "
+            ": made with max_depth \"unlimited\", not 1; choose another --out, "
             "or remove this one");
   for (const auto& change : std::vector<void (*)(ChartSettings&)>{
            [](ChartSettings& s) { s.scene_hash = 1; }, [](ChartSettings& s) { s.width = 9; },
