@@ -3,7 +3,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "raytracing/io/run_facts.h"
 
 namespace raytracing {
 namespace {

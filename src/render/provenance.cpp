@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "raytracing/render/pixel_groups.h"
@@ -128,10 +129,6 @@ std::string pixel_correlation(const RenderOptions& options) {
 
 }  // namespace
 
-std::string to_text(const FactValue& value) {
-  return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
-}
-
 std::span<const FactField> fact_fields() { return kFields; }
 
 std::optional<FactValue> fact_value(const RunFacts& facts, const FactField& field) {
@@ -184,6 +181,34 @@ RunFacts facts_of(const NamedValues& header) {
   for (const auto& entry : header)
     for (const FactField& field : kFields)
       if (field.name == entry.first) read_fact(facts, field, to_text(entry.second));
+  return facts;
+}
+
+nlohmann::ordered_json to_json(const RunFacts& facts, std::optional<FactScope> scope) {
+  nlohmann::ordered_json object;
+  for (const FactField& field : kFields) {
+    if (scope && field.scope != *scope) continue;
+    const auto add_value = [&](const auto& value) { object[std::string(field.name)] = value; };
+    const auto add_member = [&](auto member) {
+      const auto& fact = facts.*member;
+      if (!fact) return;
+      if constexpr (std::is_same_v<decltype(*fact), const FactValue&>)
+        std::visit(add_value, *fact);
+      else
+        add_value(*fact);
+    };
+    std::visit(add_member, field.member);
+  }
+  return object;
+}
+
+RunFacts facts_from_json(const nlohmann::ordered_json& object) {
+  RunFacts facts;
+  for (const FactField& field : kFields) {
+    const auto found = object.find(field.name);
+    if (found == object.end()) continue;
+    read_fact(facts, field, found->is_string() ? found->get<std::string>() : found->dump());
+  }
   return facts;
 }
 

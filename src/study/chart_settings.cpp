@@ -7,7 +7,6 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/io/run_facts.h"
 
 namespace raytracing {
 namespace {

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "raytracing/io/image_reader.h"
-#include "raytracing/io/run_facts.h"
 #include "raytracing/render/render.h"
 #include "raytracing/study/run_log.h"
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,7 +22,9 @@ using FactValue = std::variant<std::string, std::int64_t, double, bool>;
 using NamedValues = std::vector<std::pair<std::string, FactValue>>;
 
 /// The value as text: all digits of a number, "true" or "false".
-std::string to_text(const FactValue& value);
+inline std::string to_text(const FactValue& value) {
+  return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
+}
 
 /// The facts of a run: what was rendered, how, by what, how long it took and what went wrong. A
 /// fact that is not known is empty. fact_fields() lists the facts with their meanings.
@@ -86,6 +91,12 @@ void read_fact(RunFacts& facts, const FactField& field, std::string_view text);
 NamedValues named_values(const RunFacts& facts);
 /// The facts that a picture's header states; other names are left out.
 RunFacts facts_of(const NamedValues& header);
+
+/// The known facts as a JSON object, in the order of the list; only those of one scope if it is
+/// given.
+nlohmann::ordered_json to_json(const RunFacts& facts, std::optional<FactScope> scope = {});
+/// The facts that a JSON object states; other keys are left out.
+RunFacts facts_from_json(const nlohmann::ordered_json& object);
 
 /// Sets the facts that the options of a rendering determine.
 void add_options(RunFacts& facts, const RenderOptions& options);
