@@ -13,8 +13,8 @@
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/sampling/sampler.h"
-#include "raytracing/study/chart_runs.h"
-#include "raytracing/study/error_metrics.h"
+#include "raytracing/study/chart/runs.h"
+#include "raytracing/study/metrics/error_metrics.h"
 #include "scene_input.h"
 
 namespace raytracing {

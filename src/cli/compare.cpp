@@ -13,8 +13,8 @@
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image_reader.h"
-#include "raytracing/study/error_picture.h"
-#include "raytracing/study/flip.h"
+#include "raytracing/study/metrics/error_picture.h"
+#include "raytracing/study/metrics/flip.h"
 
 namespace raytracing {
 namespace {

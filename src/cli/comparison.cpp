@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/study/flip.h"
-#include "raytracing/study/reference.h"
+#include "raytracing/study/metrics/flip.h"
+#include "raytracing/study/metrics/reference.h"
 
 namespace raytracing {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "raytracing/io/image_file.h"
-#include "raytracing/study/error_metrics.h"
-#include "raytracing/study/z_scores.h"
+#include "raytracing/study/metrics/error_metrics.h"
+#include "raytracing/study/metrics/z_scores.h"
 
 namespace raytracing {
 

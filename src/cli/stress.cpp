@@ -14,10 +14,10 @@
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/study/chart_plot.h"
-#include "raytracing/study/stress_page.h"
-#include "raytracing/study/stress_plot.h"
-#include "raytracing/study/stress_run.h"
+#include "raytracing/study/page/gnuplot.h"
+#include "raytracing/study/stress/plot.h"
+#include "raytracing/study/stress/report.h"
+#include "raytracing/study/stress/run.h"
 
 namespace raytracing {
 namespace {

@@ -17,7 +17,7 @@
 #include "bench/recorded_rays.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
-#include "raytracing/study/curves.h"
+#include "raytracing/study/metrics/statistics.h"
 
 namespace raytracing {
 namespace {

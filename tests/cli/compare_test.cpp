@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "raytracing/io/image_reader.h"
-#include "raytracing/study/error_picture.h"
-#include "raytracing/study/flip.h"
+#include "raytracing/study/metrics/error_picture.h"
+#include "raytracing/study/metrics/flip.h"
 #include "support/compare_folder.h"
 
 namespace raytracing {

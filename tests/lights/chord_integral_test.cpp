@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "raytracing/math/vec.h"
-#include "raytracing/study/exact_polygons.h"
+#include "raytracing/study/stress/exact_polygons.h"
 #include "support/statistics.h"
 
 namespace raytracing {

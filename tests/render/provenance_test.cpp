@@ -9,7 +9,7 @@
 
 #include "raytracing/io/image_reader.h"
 #include "raytracing/render/render.h"
-#include "raytracing/study/run_log.h"
+#include "raytracing/study/chart/run_log.h"
 
 namespace raytracing {
 namespace {

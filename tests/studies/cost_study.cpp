@@ -7,7 +7,7 @@
 #include "raytracing/lights/chord.h"
 #include "raytracing/render/threads.h"
 #include "raytracing/scene/camera.h"
-#include "raytracing/study/power_law.h"
+#include "raytracing/study/metrics/statistics.h"
 #include "studies/study.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
@@ -82,8 +82,8 @@ Cost measure_cost(const Scene& scene, const std::vector<Question>& questions, Te
   const std::vector<Question> mixed = scattered(questions, random);
   Visibility visibility(scene);
   const PathSampler sampler(SamplerKind::sobol, 1, 0, 0, 0);
-  const DirectMethod& points = *find_direct_method("solid-angle");
-  const DirectMethod& lines = *find_direct_method("line");
+  const DirectMethod& points = direct_method("solid-angle");
+  const DirectMethod& lines = direct_method("line");
   volatile float sink = 0;  // keeps the work from being left out
   const auto ray = [&](const Question& q) {
     sink = static_cast<float>(visibility.occluded(q.vertex, q.point, *q.light));

@@ -8,7 +8,7 @@
 
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
-#include "raytracing/study/power_law.h"
+#include "raytracing/study/metrics/statistics.h"
 #include "studies/study.h"
 
 namespace raytracing {
@@ -77,7 +77,7 @@ bool is_penumbra(const Scene& scene, const Camera& camera, const Pixel& pixel) {
 // One sample: what render() takes for direct light alone.
 DVec3 take_sample(const Scene& scene, const Camera& camera, const Entry& entry, const Pixel& pixel,
                   std::uint64_t seed, std::uint64_t index, Visibility& visibility) {
-  const DirectMethod& method = *find_direct_method(entry.method);
+  const DirectMethod& method = direct_method(entry.method);
   PathSampler sampler(SamplerKind::sobol, seed, static_cast<std::uint32_t>(pixel.x),
                       static_cast<std::uint32_t>(pixel.y), index);
   const std::uint32_t light_pair = entry.padded ? 4 : 1;
@@ -169,7 +169,7 @@ std::map<std::string, double> measure_times(const Scene& scene) {
       RenderOptions options;
       options.width = options.height = kSize;
       options.spp = kTimedSpp;
-      options.shade.method = find_direct_method(method);
+      options.shade.method = &direct_method(method);
       options.shade.max_depth = 1;
       options.threads = kThreads;
       const std::atomic<bool> stop{false};

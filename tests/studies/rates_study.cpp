@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "raytracing/math/numeric.h"
-#include "raytracing/study/power_law.h"
+#include "raytracing/study/metrics/statistics.h"
 #include "studies/study.h"
 #include "support/direct_light.h"
 
@@ -133,7 +133,7 @@ std::uint32_t pixel_of(const Variant& variant, std::uint32_t i) {
 // Adds the squared relative errors of the means of the first 1, 2, 4, ... samples.
 void add_errors(const DirectScene& scene, double truth, const Variant& variant, std::uint32_t x,
                 Errors& errors) {
-  const DirectMethod& method = *find_direct_method(variant.method);
+  const DirectMethod& method = direct_method(variant.method);
   const AreaLight& light = scene.scene().lights()[0];
   Visibility visibility(scene.scene());
   double sum = 0;

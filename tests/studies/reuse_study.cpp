@@ -7,7 +7,7 @@
 
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
-#include "raytracing/study/flip.h"
+#include "raytracing/study/metrics/flip.h"
 #include "studies/study.h"
 
 namespace raytracing {
@@ -39,7 +39,7 @@ Render render_once(const Scene& scene, int edge, std::uint64_t spp, std::uint64_
   options.spp = spp;
   options.reuse = edge;
   options.seed = seed;
-  options.shade.method = find_direct_method("point");
+  options.shade.method = &direct_method("point");
   options.threads = kThreads;
   const std::atomic<bool> stop{false};
   const RenderResult result = render(scene, options, stop, {});

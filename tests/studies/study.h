@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/study/curves.h"
+#include "raytracing/study/metrics/statistics.h"
 
 namespace raytracing {
 

@@ -1,6 +1,6 @@
 // The bias of a method from its pictures: none is found where there is none, half a per cent is.
 
-#include "raytracing/study/bias.h"
+#include "raytracing/study/metrics/bias.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 // Data and script for gnuplot, and running it.
 
-#include "raytracing/study/chart_plot.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,6 +7,8 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/study/chart/plot.h"
+#include "raytracing/study/page/gnuplot.h"
 #include "study/made_up_chart.h"
 #include "support/temp_dir.h"
 

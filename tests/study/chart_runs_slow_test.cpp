@@ -7,9 +7,9 @@
 #include "raytracing/io/file.h"
 #include "raytracing/io/image_reader.h"
 #include "raytracing/io/scene_file.h"
-#include "raytracing/study/chart_report.h"
-#include "raytracing/study/chart_runs.h"
-#include "raytracing/study/chart_summary.h"
+#include "raytracing/study/chart/report.h"
+#include "raytracing/study/chart/runs.h"
+#include "raytracing/study/chart/summary.h"
 #include "support/temp_dir.h"
 
 namespace raytracing {
@@ -30,18 +30,15 @@ class ChartBias : public ::testing::Test {
     settings_.threads = 2;
     settings_.spp = {64};
     for (const char* name : {"point", "line-ratio", "line"})
-      settings_.methods.push_back(find_direct_method(name));
+      settings_.methods.push_back(&direct_method(name));
     // As many samples on any machine, so not by render_reference().
-    reference_ = to_reference(join_halves(half(0), half(1)));
-    counted_ = counted_pixels(reference_.picture, {});
+    truth_.emplace(to_reference(join_halves(half(0), half(1))), PixelMask());
     log_.emplace(folder_.path());
-    EXPECT_TRUE(make_runs(*scene_, settings_, plan_runs(settings_),
-                          {reference_, counted_, noise_floor(reference_, counted_)}, *log_, kNever,
-                          nullptr));
+    EXPECT_TRUE(make_runs(*scene_, settings_, *truth_, *log_, kNever, nullptr));
   }
 
   ImageData half(std::uint64_t i) const {
-    const PlannedRun run{find_direct_method("line"), 512, 0, kFirstReferenceSeed + i};
+    const PlannedRun run{&direct_method("line"), 512, 0, kFirstReferenceSeed + i};
     const RenderResult result = render(*scene_, run_options(settings_, run), kNever, nullptr);
     ImageData image{settings_.width, settings_.height, {"R", "G", "B"}, {}, {}};
     for (int y = 0; y < image.height; ++y)
@@ -52,7 +49,7 @@ class ChartBias : public ::testing::Test {
   }
 
   bool detected(std::size_t method) const {
-    const ChartSummary summary = summarise_runs(settings_, *log_, reference_, counted_);
+    const ChartSummary summary = summarise_runs(settings_, *log_, *truth_);
     return summary.methods[method].bias()->detected;
   }
 
@@ -71,8 +68,7 @@ class ChartBias : public ::testing::Test {
   TempDir folder_;
   std::optional<Scene> scene_;
   ChartSettings settings_;
-  Reference reference_;
-  PixelMask counted_;
+  std::optional<GroundTruth> truth_;
   std::optional<RunLog> log_;
 };
 
@@ -106,12 +102,12 @@ class ChartRuns : public ChartBias {
 };
 
 TEST_F(ChartRuns, AreMeasuredAsTheirPicturesAre) {
-  const auto floor = noise_floor(reference_, counted_);
+  const auto floor = truth_->floor;
   ASSERT_EQ(log_->runs().size(), 3 * settings_.seeds);
   for (const ChartRun& run : log_->runs()) {
     const ImageData image =
         read_image(log_->picture_path(*run.facts.light_sampling, 64, run.repetition));
-    const ErrorMetrics metrics = error_metrics(image, reference_.picture);
+    const ErrorMetrics metrics = error_metrics(image, truth_->reference.picture);
     EXPECT_EQ(run.relmse, metrics.relmse);
     EXPECT_EQ(run.mse, metrics.mse);
     EXPECT_EQ(run.smape, metrics.smape);
@@ -142,8 +138,8 @@ TEST_F(ChartRuns, AReferenceRenderedInNoTimeHasTwoChunks) {
   EXPECT_EQ(read.unchecked, "");
   EXPECT_EQ(read.variance_source, "from two independent halves");
   // Its own estimate of its error, against the reference of 1024 samples.
-  const double error = error_metrics(read.picture, reference_.picture).relmse;
-  const Estimate floor = noise_floor(read, counted_)->relmse;
+  const double error = error_metrics(read.picture, truth_->reference.picture).relmse;
+  const Estimate floor = noise_floor(read, truth_->counted)->relmse;
   EXPECT_GT(floor.value, 0);
   EXPECT_LT(error, 3 * floor.value);
   EXPECT_GT(error, floor.value / 3);
@@ -156,9 +152,8 @@ TEST_F(ChartRuns, AStoppedReferenceIsNone) {
 
 TEST_F(ChartRuns, AreReportedWithTheirNumbers) {
   brighten("line", 1.05f);
-  const ChartSummary summary = summarise_runs(settings_, *log_, reference_, counted_);
-  const Report report =
-      chart_report(settings_, summary, *log_, reference_, counted_, false, {{"command", "c"}});
+  const ChartSummary summary = summarise_runs(settings_, *log_, *truth_);
+  const Report report = chart_report(settings_, summary, *log_, *truth_, false, {{"command", "c"}});
   ASSERT_EQ(report.pictures.size(), 4u);
   EXPECT_EQ(report.pictures[1].label, "line-ratio (biased)");
   EXPECT_EQ(report.pictures[3].label, "reference");
@@ -184,15 +179,14 @@ TEST_F(ChartRuns, AreReportedWithTheirNumbers) {
 
 TEST_F(ChartRuns, AreNotRepeated) {
   const std::string before = read_file(folder_ / "runs.csv");
-  const Yardstick yardstick{reference_, counted_, noise_floor(reference_, counted_)};
   std::uint64_t told = 0;
   const auto count = [&told](std::uint64_t, std::uint64_t) { ++told; };
   settings_.seeds = 4;
-  EXPECT_TRUE(make_runs(*scene_, settings_, plan_runs(settings_), yardstick, *log_, kNever, count));
+  EXPECT_TRUE(make_runs(*scene_, settings_, *truth_, *log_, kNever, count));
   EXPECT_EQ(told, 0u);
   EXPECT_EQ(read_file(folder_ / "runs.csv"), before);
   settings_.seeds = 9;
-  EXPECT_TRUE(make_runs(*scene_, settings_, plan_runs(settings_), yardstick, *log_, kNever, count));
+  EXPECT_TRUE(make_runs(*scene_, settings_, *truth_, *log_, kNever, count));
   EXPECT_EQ(log_->runs().size(), 27u);
   EXPECT_TRUE(read_file(folder_ / "runs.csv").starts_with(before));
 }

@@ -1,11 +1,10 @@
 // What a chart concludes from points with known answers.
 
-#include "raytracing/study/chart_summary.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "raytracing/study/chart/summary.h"
 #include "study/made_up_chart.h"
 
 namespace raytracing {

@@ -1,4 +1,4 @@
-#include "raytracing/study/error_metrics.h"
+#include "raytracing/study/metrics/error_metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "raytracing/study/error_picture.h"
+#include "raytracing/study/metrics/error_picture.h"
 
 #include <gtest/gtest.h>
 

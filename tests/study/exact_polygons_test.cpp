@@ -1,6 +1,6 @@
 // The truth's polygons: closed forms and brute force.
 
-#include "raytracing/study/exact_polygons.h"
+#include "raytracing/study/stress/exact_polygons.h"
 
 #include <gtest/gtest.h>
 

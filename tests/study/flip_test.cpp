@@ -1,6 +1,6 @@
 // tests/data/flip/make.py tells how the pictures and the package's answers were made.
 
-#include "raytracing/study/flip.h"
+#include "raytracing/study/metrics/flip.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/image_reader.h"
-#include "raytracing/study/rgb_view.h"
+#include "raytracing/study/metrics/pixels.h"
 
 namespace raytracing {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/study/chart_summary.h"
+#include "raytracing/study/chart/summary.h"
 
 namespace raytracing {
 
@@ -16,7 +16,7 @@ inline MethodSummary made_up_method(const char* name, double scale, double slope
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> noise(0, sigma);
   MethodSummary method;
-  method.method = find_direct_method(name);
+  method.method = &direct_method(name);
   for (int power = 0; power < 7; ++power) {
     const double spp = std::exp2(power);
     std::vector<double> errors;

@@ -1,6 +1,6 @@
 // The noise floor of a reference, and which files are none.
 
-#include "raytracing/study/reference.h"
+#include "raytracing/study/metrics/reference.h"
 
 #include <gtest/gtest.h>
 

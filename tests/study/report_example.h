@@ -4,7 +4,7 @@
 #include <string>
 
 #include "raytracing/io/image_file.h"
-#include "raytracing/study/report.h"
+#include "raytracing/study/page/report_page.h"
 
 namespace raytracing {
 

@@ -1,10 +1,8 @@
-#include "raytracing/study/report.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "../../src/study/base64.h"
-#include "../../src/study/html_template.h"
+#include "../../src/study/page/html_template.h"
+#include "raytracing/study/page/report_page.h"
 #include "study/report_example.h"
 
 namespace raytracing {

@@ -1,6 +1,6 @@
 // The table of finished runs: nothing is lost or changed on the way through the file.
 
-#include "raytracing/study/run_log.h"
+#include "raytracing/study/chart/run_log.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // The exact radiance of the stress cases: against quadrature and other coordinates.
 
-#include "raytracing/study/stress_truth.h"
-
 #include <gtest/gtest.h>
 
 #include "materials/ggx_reference.h"
+#include "raytracing/study/stress/truth.h"
 #include "support/statistics.h"
 
 namespace raytracing {

@@ -1,4 +1,4 @@
-#include "raytracing/study/z_scores.h"
+#include "raytracing/study/metrics/z_scores.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "raytracing/integrator/shade.h"
 #include "raytracing/materials/bsdf.h"
-#include "raytracing/study/exact_polygons.h"
+#include "raytracing/study/stress/exact_polygons.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
 

@@ -9,10 +9,11 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/study/chart_plot.h"
-#include "raytracing/study/chart_report.h"
-#include "raytracing/study/chart_runs.h"
-#include "raytracing/study/chart_summary.h"
+#include "raytracing/study/chart/plot.h"
+#include "raytracing/study/chart/report.h"
+#include "raytracing/study/chart/runs.h"
+#include "raytracing/study/chart/summary.h"
+#include "raytracing/study/page/gnuplot.h"
 
 namespace raytracing {
 namespace {
@@ -26,13 +27,14 @@ class Chart {
   ChartEnd make(const Scene& scene) {
     const PixelMask mask = read_mask(request_.mask, settings_.width, settings_.height);
     if (!request_.mask.empty()) mask_id_ = fmt::format("{:016x}", hash_of_file(request_.mask));
-    if (!is_automatic()) take_reference_file();
+    std::optional<Reference> reference;
+    if (!is_automatic()) reference = read_reference_file();
     create_folder();
     claim_folder(settings_.folder, settings_json(settings_, reference_id(), mask_id_));
-    if (is_automatic() && !take_automatic_reference(scene)) return ChartEnd::stopped_in_reference;
-    const PixelMask counted = counted_pixels(reference_->picture, mask);
-    const auto floor = noise_floor(*reference_, counted);
-    describe_reference(floor);
+    if (is_automatic()) reference = automatic_reference(scene);
+    if (!reference) return ChartEnd::stopped_in_reference;
+    const GroundTruth truth(std::move(*reference), mask);
+    describe(truth);
 
     RunLog log(settings_.folder);
     if (log.dropped() > 0)
@@ -40,8 +42,8 @@ class Chart {
           fmt::format("{} rows of {}/runs.csv have no picture in runs/ and are rendered again; the "
                       "old table is kept as runs.csv.old",
                       log.dropped(), settings_.folder));
-    if (!make_all_runs(scene, {*reference_, counted, floor}, log)) return ChartEnd::stopped_in_runs;
-    write_results(summarise_runs(settings_, log, *reference_, counted), log, counted);
+    if (!make_all_runs(scene, truth, log)) return ChartEnd::stopped_in_runs;
+    write_results(summarise_runs(settings_, log, truth), log, truth);
     return ChartEnd::complete;
   }
 
@@ -74,22 +76,20 @@ class Chart {
                        request_.reference_seconds);
   }
 
-  void take_reference_file() {
-    reference_ = read_reference(request_.reference, terms());
-    if (!reference_->unchecked.empty())
-      listener_.warn(fmt::format("{}: its header does not tell {}: not checked", request_.reference,
-                                 reference_->unchecked));
+  Reference read_reference_file() const {
+    Reference reference = read_reference(request_.reference, terms());
+    if (!reference.unchecked.empty())
+      listener_.warn(fmt::format("{}: not checked, since its header lacks them: {}",
+                                 request_.reference, reference.unchecked));
+    return reference;
   }
 
-  // Takes the reference from the folder, or renders it. False when stopped.
-  bool take_automatic_reference(const Scene& scene) {
+  // Takes the reference from the folder, or renders it. Empty when stopped.
+  std::optional<Reference> automatic_reference(const Scene& scene) const {
     const std::string id = settings_json(settings_, reference_id(), "").dump();
     const std::string path =
         fmt::format("{}/reference_{:016x}.exr", settings_.folder, hash_bytes(id));
-    if (std::filesystem::exists(path)) {
-      reference_ = read_reference(path, terms());
-      return true;
-    }
+    if (std::filesystem::exists(path)) return read_reference(path, terms());
     listener_.note(fmt::format("rendering the reference by {} for {:g} s",
                                reference_method(settings_.max_depth).name,
                                request_.reference_seconds));
@@ -98,26 +98,26 @@ class Chart {
     auto picture =
         render_reference(scene, settings_, request_.reference_seconds, stop_, progress());
     listener_.progress_ended(picture.has_value());
-    if (!picture) return false;
+    if (!picture) return std::nullopt;
     file.write(encode_image(*picture, ImageFormat::exr));
     file.commit();
-    reference_ = to_reference(std::move(*picture));
-    return true;
+    return to_reference(std::move(*picture));
   }
 
-  void describe_reference(const std::optional<NoiseFloor>& floor) const {
-    if (floor)
+  void describe(const GroundTruth& truth) const {
+    const std::string& source = truth.reference.variance_source;
+    if (truth.floor)
       listener_.note(fmt::format("reference: its own relMSE is {:.3g} ± {:.1g} ({}); subtracted",
-                                 floor->relmse.value, floor->relmse.standard_error,
-                                 reference_->variance_source));
+                                 truth.floor->relmse.value, truth.floor->relmse.standard_error,
+                                 source));
     else
       listener_.warn(
           fmt::format("the reference's own noise is {}; it is not subtracted, and there is no "
                       "estimate of bias",
-                      reference_->variance_source));
+                      source));
   }
 
-  bool make_all_runs(const Scene& scene, const Yardstick& yardstick, RunLog& log) const {
+  bool make_all_runs(const Scene& scene, const GroundTruth& truth, RunLog& log) const {
     const std::vector<PlannedRun> runs = plan_runs(settings_);
     const auto finished = std::count_if(runs.begin(), runs.end(), [&](const PlannedRun& run) {
       return log.find(run.method->name, run.spp, run.repetition) != nullptr;
@@ -127,7 +127,7 @@ class Chart {
         settings_.width, settings_.height, settings_.methods.size(), settings_.spp.size(),
         settings_.seeds, runs.size(), finished));
     listener_.progress_began();
-    const bool complete = make_runs(scene, settings_, runs, yardstick, log, stop_, progress());
+    const bool complete = make_runs(scene, settings_, truth, log, stop_, progress());
     listener_.progress_ended(complete);
     return complete;
   }
@@ -144,7 +144,7 @@ class Chart {
   }
 
   void write_results(const ChartSummary& summary, const RunLog& log,
-                     const PixelMask& counted) const {
+                     const GroundTruth& truth) const {
     for (const MethodSummary& m : summary.methods)
       if (m.bias()) listener_.note(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
     listener_.file_written("runs.csv");
@@ -154,8 +154,8 @@ class Chart {
     write("chart.dat", plot_data(summary, plot_bottom(summary)));
     write("chart.gp", plot_script(summary, chart_title(settings_)));
     const auto write_report = [&](bool has_charts) {
-      write("report.html", report_html(chart_report(settings_, summary, log, *reference_, counted,
-                                                    has_charts, facts())));
+      write("report.html",
+            report_html(chart_report(settings_, summary, log, truth, has_charts, facts())));
     };
     try {
       write_report(draw());
@@ -189,7 +189,6 @@ class Chart {
   const ChartSettings& settings_;
   const std::atomic<bool>& stop_;
   ChartListener& listener_;
-  std::optional<Reference> reference_;
   std::string mask_id_ = "none";
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/study/chart_settings.h"
+#include "raytracing/study/chart/settings.h"
 
 namespace raytracing {
 

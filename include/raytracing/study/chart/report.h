@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raytracing/study/chart/summary.h"
+#include "raytracing/study/page/report_page.h"
+
+namespace raytracing {
+
+/// What report.html shows of a chart: each method's picture of the first seed at about the time at
+/// which all methods were measured, the reference, the charts in the folder (when they were drawn)
+/// and tables. `facts` begin the list of how it was made.
+Report chart_report(const ChartSettings& settings, const ChartSummary& summary, const RunLog& log,
+                    const GroundTruth& truth, bool has_charts,
+                    std::vector<std::pair<std::string, std::string>> facts);
+
+}  // namespace raytracing

@@ -1,0 +1,262 @@
+#include "raytracing/study/stress/cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "case_builder.h"
+#include "occluder_cases.h"
+#include "raytracing/study/stress/truth.h"
+
+namespace raytracing {
+namespace stress {
+namespace {
+
+constexpr std::string_view kLambert = "Lambert's polygon formula on the visible polygon";
+constexpr std::string_view kGgx = "cubature of GGX over the visible polygon";
+
+// Cases of the light's shape and position.
+
+StressScene aspect(float ratio) {
+  CaseBuilder builder;
+  const Vec3 center(0.113f, 0.043f, 1.0f);
+  builder.add_light(parallelogram(center, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f / ratio, 0.0f}));
+  builder.add_occluder(edge_occluder(0.5f, center, 0.5f));
+  return builder.scene;
+}
+
+// The light keeps its size; the occluder stays half way, its shadow edge above the receiver, where
+// a near light is brightest.
+StressScene distance(float d) {
+  const float near = std::min(d, 1.0f);
+  CaseBuilder builder(kGrey, kView, std::min(0.01f, 0.2f * d));
+  builder.add_light(parallelogram({0.113f, 0.043f, d}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
+  const Vec3 target = kPoint + Vec3(0.1f * near, 0.05f * near, d);
+  builder.add_occluder(edge_occluder(d / 2, target, 0.5f, 0.01f * near, 0.5f));
+  return builder.scene;
+}
+
+// A wall of light across the x axis, seen over the receiver from its side.
+StressScene wall(const Vec3& center, float half_height = 0.5f) {
+  CaseBuilder builder(kGrey, {-0.48f, -0.36f, 0.8f});
+  builder.add_light(parallelogram(center, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, half_height}));
+  return builder.scene;
+}
+
+// A wall in the plane x = g from the receiver, beside it.
+StressScene grazing(float g) { return wall(kPoint + Vec3(g, 1.0f, 0.6f), 0.4f); }
+
+// A wall that reaches `above` over the horizon, and the rest of its height of 1 below.
+StressScene horizon(float above) { return wall(Vec3(1.0f, 0.1f, above - 0.5f)); }
+
+// A wall that stands on the receiver's plane, one corner at the distance d.
+StressScene corner(float d) { return wall(kPoint + Vec3(d, 0.5f, 0.5f)); }
+
+std::vector<StressCase> light_cases() {
+  return {
+      {"light-aspect", "light", "length of the light over its width, in a penumbra", kLambert,
+       settings({1, 10, 100, 1e3, 1e4, 1e5}, aspect)},
+      {"light-distance", "light", "distance in lengths of the light, in a penumbra", kLambert,
+       settings({1e-4, 1e-3, 0.01, 0.1, 1, 10, 100, 1e3, 1e4}, distance)},
+      {"grazing-light", "light", "distance from the plane of a light beside the receiver", kLambert,
+       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, grazing)},
+      {"horizon", "light", "share of the light's height that is above the horizon", kLambert,
+       settings({1, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, horizon)},
+      {"light-corner", "light", "distance of the receiver from a corner of the light", kLambert,
+       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6}, corner)},
+  };
+}
+
+// Cases of the receiver's surface.
+
+Material ggx(float roughness) {
+  return GgxConductor{Rgb(0.9f), roughness * roughness, Fresnel::none};
+}
+
+// The mirror direction meets the light close beside the shadow edge.
+StressScene roughness(float r) {
+  CaseBuilder builder(ggx(r));
+  const Vec3 center(-0.587f, 0.443f, 1.0f);
+  builder.add_light(parallelogram(center, {0.25f, 0.0f, 0.0f}, {0.0f, 0.2f, 0.0f}));
+  builder.add_occluder(edge_occluder(0.5f, center, 0.5f, 0.03f));
+  return builder.scene;
+}
+
+// Roughness 0.3; the light stands across, its lower half behind an occluder.
+StressScene grazing_view(float cosine) {
+  const Vec3 wo(std::sqrt(1 - cosine * cosine), 0.0f, cosine);
+  CaseBuilder builder(ggx(0.3f), wo);
+  builder.add_light(parallelogram({-1.0f, 0.05f, 0.41f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.4f}));
+  builder.add_occluder(parallelogram({-0.5f, 0.0f, -0.3f}, {0.0f, 1.0f, 0.2f}, {0.0f, 0.0f, 0.4f}));
+  return builder.scene;
+}
+
+// A triangle whose shading normal leans from its geometric one, towards a light that reaches under
+// the horizon.
+StressScene terminator(float degrees) {
+  const float angle = degrees * 3.14159265f / 180;
+  CaseBuilder builder{CaseBuilder::Empty{}};
+  const std::uint32_t surface = builder.add_surface(kGrey);
+  builder.add_faces({{{-0.02f, -0.02f, 0.0f}, {0.03f, -0.02f, 0.0f}, {0.01f, 0.03f, 0.0f}}},
+                    surface);
+  PolygonMesh& mesh = builder.scene.scene.meshes.back();
+  mesh.normals = {{std::sin(angle), 0.0f, std::cos(angle)}};
+  for (PolygonMesh::Corner& corner : mesh.corners) corner.normal = 0;
+  builder.scene.ray = {kPoint + 0.01f * kView, -kView};
+  builder.add_light(parallelogram({1.0f, 0.1f, 0.2f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.5f}));
+  builder.add_light(parallelogram({-1.0f, 0.1f, 0.6f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.5f}));
+  return builder.scene;
+}
+
+// A closed room, all of whose walls emit 1 and reflect rho.
+StressScene albedo(float rho) {
+  CaseBuilder builder{CaseBuilder::Empty{}};
+  const std::uint32_t surface = builder.add_surface(Diffuse{Rgb(rho)}, 1);
+  std::vector<Polygon> walls;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f}) {
+      Vec3 center(0.0f), x(0.0f), y(0.0f);
+      center[axis] = side;
+      x[(axis + 1) % 3] = 1;
+      y[(axis + 2) % 3] = -side;
+      walls.push_back(parallelogram(center, x, y));
+    }
+  builder.add_faces(walls, surface);
+  builder.scene.ray = {Vec3(0.0f), normalize(Vec3(0.3f, -0.2f, -0.9f))};
+  builder.scene.max_depth = std::nullopt;
+  builder.scene.radiance = 1 / (1 - static_cast<double>(rho));
+  return builder.scene;
+}
+
+// A small receiver is lit only by a wall, which a light behind the receiver's horizon faces: paths
+// of one bounce carry all of its light.
+StressScene shared_paths(const Material& wall) {
+  CaseBuilder builder;
+  const Vec3 center(1.3f, 0.1f, 0.6f), y(0.0f, 0.5f, 0.0f), z(0.0f, 0.0f, 0.4f);
+  builder.add_faces({parallelogram(center, z, y)}, builder.add_surface(wall));
+  const Polygon light = parallelogram({0.4f, 0.2f, 1.5f}, {0.0f, 0.3f, 0.0f}, {0.05f, 0.0f, 0.25f});
+  builder.add_faces({light}, builder.add_surface(Diffuse{Rgb(0.0f)}, 10));
+  const LPolygon pieces[] = {long_polygon(light)};
+  const DVec3 x(kPoint), normal(-1, 0, 0);
+  const auto reflected = [&](const DVec3& p, const DVec3& to_x) {
+    if (const auto* diffuse = std::get_if<Diffuse>(&wall))
+      return 10 * diffuse->reflectance.x / std::numbers::pi *
+             static_cast<double>(lambert(pieces[0], LVec3(p), LVec3(normal)));
+    const auto& ggx = std::get<GgxConductor>(wall);
+    return 10 * ggx.reflectance.x * ggx_radiance(pieces, LVec3(p), normal, to_x, ggx.alpha);
+  };
+  // The receiver's reflectance over pi times the irradiance from the wall.
+  const double area = 4 * length(cross(DVec3(y), DVec3(z)));
+  builder.scene.radiance =
+      0.5 / std::numbers::pi * area *
+      integrate_square(
+          [&](double s, double t) {
+            const DVec3 p = DVec3(center) + (2 * s - 1) * DVec3(y) + (2 * t - 1) * DVec3(z);
+            const DVec3 d = x - p;
+            const double r = length(d);
+            return reflected(p, d / r) * -d.z / r * dot(normal, d) / r / (r * r);
+          },
+          2);
+  builder.scene.max_depth = 2;
+  builder.scene.shares_paths = true;
+  builder.scene.scene.camera = {kPoint + 0.1f * kView, kPoint, {0.0f, 1.0f, 0.0f}, 0.1f};
+  return builder.scene;
+}
+
+std::vector<StressSetting> shared_path_settings() {
+  std::vector<StressSetting> result{{"diffuse", [] { return shared_paths(Diffuse{Rgb(0.5f)}); }}};
+  for (StressSetting& setting :
+       settings({1, 0.5, 0.3}, [](float r) { return shared_paths(ggx(r)); }))
+    result.push_back(std::move(setting));
+  return result;
+}
+
+std::vector<StressCase> surface_cases() {
+  return {
+      {"roughness", "surface", "roughness of a mirroring receiver, light's middle just lit", kGgx,
+       settings({1, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3}, roughness)},
+      {"grazing-view", "surface", "cosine at which a GGX receiver of roughness 0.3 is seen", kGgx,
+       settings({0.5, 0.1, 0.01, 1e-3, 1e-4}, grazing_view)},
+      {"terminator", "surface", "angle between geometric and shading normal, degrees",
+       "Lambert's formula with the shading normal; light under either horizon is lost, by "
+       "convention",
+       settings({0, 10, 30, 60, 80}, terminator)},
+      {"albedo", "surface", "reflectance of a closed room that emits 1, all bounces",
+       "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
+       settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},
+      {"shared-paths", "surface",
+       "roughness of a wall that lights the receiver, in groups of 16 x 16 shared paths, N = 256",
+       "quadrature of the wall's exact radiance", shared_path_settings()},
+  };
+}
+
+// Cases of the scene's numbers: scale, offset, many lights.
+
+StressScene scaled(float s) { return transformed(penumbra(), s, Vec3(0.0f)); }
+
+// The rounded coordinates are the scene. The receiver is large enough for some of it to remain.
+StressScene offset(float o) {
+  return transformed(penumbra(0.3f, 0.5f), 1, Vec3(o, -0.7f * o, 0.4f * o));
+}
+
+// The bright light is hidden, but lights are chosen by their power.
+StressScene bright_pair(float ratio) {
+  CaseBuilder builder;
+  const Vec3 x(0.15f, 0.0f, 0.0f), y(0.0f, 0.15f, 0.0f);
+  builder.add_light(parallelogram({-0.6f, 0.0f, 1.0f}, x, y), ratio);
+  builder.add_light(parallelogram({0.6f, 0.0f, 1.0f}, x, y));
+  builder.add_occluder(parallelogram({-0.3f, 0.0f, 0.5f}, {0.2f, 0.0f, 0.0f}, {0.0f, 0.3f, 0.0f}));
+  return builder.scene;
+}
+
+// A square of 2 x 2 above the receiver, a quarter of which is luminous.
+StressScene many_lights(float count) {
+  CaseBuilder builder;
+  const int n = static_cast<int>(count);
+  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
+  const float pitch = 2 / static_cast<float>(columns);
+  for (int i = 0; i < n; ++i) {
+    const float x = (static_cast<float>(i % columns) + 0.5f) * pitch - 1;
+    const float y = (static_cast<float>(i / columns) + 0.5f) * pitch - 1;
+    builder.add_light(
+        parallelogram({x, y, 1.0f}, {pitch / 4, 0.0f, 0.0f}, {0.0f, pitch / 4, 0.0f}));
+  }
+  builder.add_occluder(edge_occluder(0.5f, {0.113f, 0.043f, 1.0f}, 0.5f));
+  return builder.scene;
+}
+
+std::vector<StressCase> scene_cases() {
+  return {
+      {"scale", "scene", "size of the scene", kLambert,
+       settings({1e-6, 1e-4, 0.01, 1, 100, 1e4, 1e6}, scaled)},
+      {"offset", "scene", "distance of the scene from the origin, in its own size", kLambert,
+       settings({0, 1, 10, 100, 1e3, 1e4, 1e5, 1e6}, offset)},
+      {"bright-pair", "scene", "radiance of a hidden light over that of the visible one", kLambert,
+       settings({1, 10, 100, 1e3, 1e4, 1e5, 1e6}, bright_pair)},
+      {"many-lights", "scene", "lights of one power", kLambert,
+       settings({1, 10, 100, 1000}, many_lights)},
+  };
+}
+
+}  // namespace
+}  // namespace stress
+
+std::span<const StressCase> stress_cases() {
+  static const std::vector<StressCase> all = [] {
+    std::vector<StressCase> cases;
+    for (auto* family :
+         {stress::light_cases, stress::occluder_cases, stress::surface_cases, stress::scene_cases})
+      for (StressCase& c : family()) cases.push_back(std::move(c));
+    return cases;
+  }();
+  return all;
+}
+
+std::vector<std::string> stress_case_names() {
+  std::vector<std::string> names;
+  for (const StressCase& c : stress_cases()) names.emplace_back(c.name);
+  return names;
+}
+
+}  // namespace raytracing
