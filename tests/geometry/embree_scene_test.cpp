@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// A right triangle in the plane z = 2, and spheres before and behind it.
+/// A right triangle in the plane z = 2, and spheres in front of and behind it.
 EmbreeScene triangle_and_spheres() {
   return EmbreeScene({{0, 0, 2}, {4, 0, 2}, {0, 4, 2}}, {{{0, 1, 2}}},
                      {{{1, 1, 5}, 1}, {{8, 8, 0}, 2}, {{1, 1, -3}, 0.5f}}, 1);
@@ -29,7 +29,7 @@ TEST(EmbreeScene, HitsTriangleWithDistanceAndBarycentricWeights) {
   EXPECT_FLOAT_EQ(hit->t, 2);
   EXPECT_FLOAT_EQ(hit->u, 0.5f);
   EXPECT_FLOAT_EQ(hit->v, 0.25f);
-  // From behind, by a direction that is not of unit length.
+  // The ray comes from behind, and its direction is not of unit length.
   const auto back = scene.closest_hit({{2, 1, 3}, {0, 0, -0.5f}});
   ASSERT_TRUE(back);
   EXPECT_FLOAT_EQ(back->t, 2);
@@ -104,11 +104,11 @@ TEST(EmbreeScene, OccludedLooksBetweenThePointsOnly) {
   EXPECT_TRUE(occluded(1, 3));
   EXPECT_TRUE(occluded(3, 1));
   EXPECT_TRUE(occluded(1.999f, 2.001f));
-  EXPECT_FALSE(occluded(0, 1.999f));       // before the triangle
+  EXPECT_FALSE(occluded(0, 1.999f));       // in front of the triangle
   EXPECT_FALSE(occluded(2.001f, 3.999f));  // between triangle and sphere
-  EXPECT_TRUE(occluded(3, 5));             // ends within the sphere
-  EXPECT_TRUE(occluded(5, 7));             // starts within it
-  EXPECT_FALSE(occluded(4.5f, 5.5f));      // both ends within it
+  EXPECT_TRUE(occluded(3, 5));             // ends inside the sphere
+  EXPECT_TRUE(occluded(5, 7));             // starts inside the sphere
+  EXPECT_FALSE(occluded(4.5f, 5.5f));      // both ends inside the sphere
   EXPECT_FALSE(occluded(6.001f, 100));     // behind everything
   EXPECT_FALSE(occluded(1, 1));
 }
@@ -128,7 +128,7 @@ TEST(EmbreeScene, NonFiniteTriangleIsNotHit) {
   EXPECT_EQ(hit->index, 1u);
 }
 
-// ---- A closed mesh is closed.
+// The following tests show that a closed mesh is closed.
 
 struct ClosedMesh {
   std::vector<Vec3> positions;
@@ -136,7 +136,7 @@ struct ClosedMesh {
   EmbreeScene build() const { return EmbreeScene(positions, triangles, {}, 1); }
 };
 
-/// models/sphere.obj: 20,480 triangles on the unit sphere.
+/// Loads models/sphere.obj, which has 20,480 triangles on the unit sphere.
 ClosedMesh sphere_model() {
   LoadReport report;
   const PolygonMesh mesh = load_obj(RAYTRACING_SOURCE_DIR "/models/sphere.obj", report).mesh;
@@ -150,7 +150,7 @@ ClosedMesh sphere_model() {
   return closed;
 }
 
-/// Whether a ray from within sees the mesh, and a segment that ends outside is blocked by it.
+/// Returns whether a ray from inside hits the mesh and a segment that ends outside is occluded.
 bool is_stopped(const EmbreeScene& scene, const Vec3& from, const Vec3& towards) {
   return scene.closest_hit({from, towards - from}).has_value() &&
          scene.occluded(from, from + 4.0f * (towards - from));
@@ -169,9 +169,9 @@ TEST(ClosedMesh, NoRayEscapesInAnyDirection) {
   EXPECT_EQ(escaped, 0);
 }
 
-// Embree's robust mode closes edges, but a ray that is aimed at a vertex, to the last bit, can pass
-// between all of its triangles. About 1 % of such rays do; without robust mode 25 % would. Rays of
-// a picture do not aim like that.
+// Embree's robust mode closes edges, but a ray aimed exactly at a vertex may pass between all of
+// its triangles. About 1 % of such rays do; without robust mode 25 % would. Rays of an image are
+// never aimed so.
 TEST(ClosedMesh, FewRaysEscapeThroughAVertex) {
   const ClosedMesh mesh = sphere_model();
   const EmbreeScene scene = mesh.build();

@@ -1,4 +1,4 @@
-// Nothing shines through the edges that triangles share; and the rims of what a query may meet.
+// No light leaks through edges that triangles share; degenerate cases of segment queries.
 #include <gtest/gtest.h>
 
 #include "raytracing/geometry/occluder_tree.h"
@@ -8,7 +8,7 @@
 namespace raytracing {
 namespace {
 
-constexpr double kAllowed = 32;  // float spacings of the largest coordinate
+constexpr double kAllowed = 32;  // in float spacings of the largest coordinate
 
 std::array<Vec3, 3> random_axes(TestRandom& random) {
   const Frame frame = Frame::around(random.direction());
@@ -19,7 +19,7 @@ IntervalSet visible(const OccluderTree& tree, const SegmentQuery& q) {
   return tree.visible_part(q.p, q.a, q.d, {0, 1});
 }
 
-// A closed convex surface hides one interval: what is left are at most the two pieces beside it.
+// A closed convex surface occludes one interval and leaves at most one piece on each side.
 TEST(SegmentQuery, ConvexSurfacesHideOneIntervalWithoutSlits) {
   TestRandom random(1);
   int whole = 0, partial = 0;
@@ -50,7 +50,7 @@ TEST(SegmentQuery, ConvexSurfacesHideOneIntervalWithoutSlits) {
       } else if (begin < end) {
         ++partial;
       }
-      for (const Interval& part : set.intervals())  // beside what is hidden, not in it
+      for (const Interval& part : set.intervals())  // beside the occluded interval, not in it
         ASSERT_TRUE(part.begin == 0 || part.end == 1) << round;
     }
   }
@@ -58,7 +58,7 @@ TEST(SegmentQuery, ConvexSurfacesHideOneIntervalWithoutSlits) {
   EXPECT_GT(partial, 1000);
 }
 
-// A flat net of shared corners between the point and the segment, larger than their hull.
+// A flat mesh with shared corners separates the point and the segment and exceeds their hull.
 TEST(SegmentQuery, FlatNetsHideEverything) {
   TestRandom random(2);
   for (int round = 0; round < 3000; ++round) {
@@ -85,12 +85,12 @@ TEST(SegmentQuery, FlatNetsHideEverything) {
       const Vec3 p = near_axis(random.between(0.01f, 2)), a = near_axis(-random.between(0.01f, 2));
       const Vec3 d = near_axis(-random.between(0.01f, 2)) - a;
       ASSERT_TRUE(visible(tree, {p, a, d}).empty()) << round;
-      // The segment itself crosses the net: one piece is left, up to the crossing.
+      // The segment intersects the mesh, and one piece is visible, up to the intersection.
       const Vec3 across = near_axis(random.between(0.1f, 2)) - a;
       const IntervalSet part = visible(tree, {p, a, across});
       ASSERT_EQ(part.intervals().size(), 1u) << round;
       ASSERT_EQ(part.hull().end, 1.0f) << round;
-      // A point close to the segment's line has no well-known plane with it.
+      // A point close to the line of the segment does not define a plane with it.
       const float sine = length(cross(a - p, across)) / (length(a - p) * length(across));
       if (sine < 0.02f) continue;
       ASSERT_LE(worst_error(scene, {p, a, across}, part), 4 * kAllowed) << round;
@@ -114,13 +114,13 @@ TEST(SegmentQuery, EmptyScenesHideNothing) {
   EXPECT_EQ(part.hull().end, 0.5f);
 }
 
-// A lone triangle hides the middle half; the tree is a single leaf.
+// One triangle, for which the tree is a single leaf, occludes the middle half.
 TEST(SegmentQuery, LoneTriangle) {
   SegmentScene scene;
   scene.add(Vec3(-0.25f, 1, -1), Vec3(-0.25f, 1, 1), Vec3(0.75f, 1, 0));
   const IntervalSet set = visible(scene.build(), kQuery);
   ASSERT_EQ(set.intervals().size(), 1u);
-  // From x = -0.25 at depth 1, so -0.5 on the segment; to 0.75, so beyond the end.
+  // The triangle spans x = -0.25 .. 0.75 at depth 1, or -0.5 .. 1.5 on the segment.
   EXPECT_EQ(set.hull().begin, 0.0f);
   EXPECT_EQ(set.hull().end, 0.25f);
 }
@@ -131,8 +131,8 @@ TEST(SegmentQuery, WhatLiesInThePlaneHidesNothing) {
   expect_all(visible(scene.build(), kQuery));
 }
 
-// A face that touches the plane by an edge hides on one side of it only: of two such faces exactly
-// one hides, so that nothing is counted twice or not at all.
+// A face that touches the plane with an edge occludes from one side of the plane only. Of the two
+// faces of such an edge exactly one occludes, so that none is counted twice or never.
 TEST(SegmentQuery, TouchingThePlaneByACornerOrAnEdge) {
   for (float side : {1.0f, -1.0f}) {
     SegmentScene corner;
@@ -180,13 +180,13 @@ TEST(SegmentQuery, SegmentsWithoutAnAngleAreVisible) {
   add_tessellated_sphere(scene, {Vec3(0, 1, 0), 0.5f}, 2,
                          {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
   const OccluderTree tree = scene.build();
-  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0.0f)}));     // of no length
+  expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0.0f)}));     // of zero length
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 2, 0), Vec3(0, 1, 0)}));  // in line with the point
   expect_all(visible(tree, {Vec3(0.0f), Vec3(0, 0, 0), Vec3(0, 1, 0)}));
 }
 
-// A point beside a surface it was computed on, offset like a spawned ray, sees all that lies on its
-// side and nothing behind.
+// A point computed on a surface, offset like the origin of a ray, sees everything on its side of
+// the surface and nothing behind.
 TEST(SegmentQuery, ContactPointsDoNotHideThemselves) {
   TestRandom random(4);
   for (int round = 0; round < 4000; ++round) {

@@ -1,4 +1,4 @@
-// Shadow edges close to a segment that is close itself: their place on it keeps its digits.
+// Shadow edges on a segment close to the point keep their digits.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ double length_of(const IntervalSet& set) {
   return sum;
 }
 
-// What no triangle hides of [0,1], by the loops.
+// Returns the part of [0,1] that no triangle occludes, by the reference implementation.
 double exact_length(const SegmentScene& scene, const SegmentQuery& query) {
   Pieces pieces = hidden_pieces(scene, query);
   std::sort(pieces.begin(), pieces.end());
@@ -30,8 +30,8 @@ double exact_length(const SegmentScene& scene, const SegmentQuery& query) {
 }
 
 // A segment of length 1 at the distance h from p, and a rectangle of size 0.5 .. 2 between them.
-// Its corner lies near p, and one of its edges crosses the segment's plane and leads far from it,
-// to the one side or the other.
+// Its corner lies near p. One of its edges intersects the plane of the query and extends far from
+// it on one side or the other.
 struct Near {
   SegmentScene scene;
   SegmentQuery query;
@@ -48,9 +48,9 @@ Near random_near(TestRandom& random, float h) {
   return near;
 }
 
-// The mean error is 2e-8 for all h. Where edges meet the plane was first computed in the plane's
-// coordinates, with a mean error of 3.5e-9 / h; then in space, but without regard to which corner
-// is nearer, with a mean of 8e-7 and a worst error of 1e-3 for h = 1e-5.
+// The mean error is 2e-8 for all h. Intersecting edges with the plane in the coordinates of the
+// plane had a mean error of 3.5e-9 / h; in space, but not from the nearer corner, it was 8e-7, with
+// a worst error of 1e-3 for h = 1e-5.
 TEST(SegmentQuery, KeepsItsDigitsHoweverNearTheSegmentIs) {
   for (const float h : {1e-1f, 1e-2f, 1e-3f, 1e-4f, 1e-5f}) {
     TestRandom random(1);

@@ -7,8 +7,8 @@
 namespace raytracing {
 namespace {
 
-// In float spacings of the scene's largest coordinate: how near a ray must pass an edge for the
-// answer to be in doubt.
+// A ray that passes an edge within this distance may be occluded or not. The unit is the float
+// spacing of the largest coordinate of the scene.
 constexpr double kAllowed = 16;
 
 std::array<Vec3, 3> random_axes(TestRandom& random) {
@@ -72,7 +72,7 @@ TEST(SegmentQuery, EqualsALoopAtEveryScaleAndFarFromTheOrigin) {
   }
 }
 
-// The plane of a short segment is known less well the farther from the segment.
+// The plane of a query with a short segment is less accurate far from the segment.
 TEST(SegmentQuery, EqualsALoopForFarShortSegments) {
   TestRandom random(3);
   for (float ratio : {10.0f, 100.0f, 1e3f, 1e4f}) {
@@ -80,7 +80,7 @@ TEST(SegmentQuery, EqualsALoopForFarShortSegments) {
     for (int round = 0; round < 200; ++round) {
       SegmentScene scene = random_scene(random, 50, Vec3(0.0f), 1);
       const Vec3 at = random.in_cube(0.5f), along = (2 / ratio) * random.direction();
-      for (int i = 0; i < 30; ++i)  // some of the size of the segment, close to it
+      for (int i = 0; i < 30; ++i)  // some triangles are as small as the segment and close to it
         scene.add(at + 4 / ratio * random.in_cube(1), at + 4 / ratio * random.in_cube(1),
                   at + 4 / ratio * random.in_cube(1));
       const OccluderTree tree = scene.build();
@@ -89,12 +89,12 @@ TEST(SegmentQuery, EqualsALoopForFarShortSegments) {
         worst = std::max(worst, error_of(scene, tree, {p, at, along}));
       }
     }
-    // At 1e4 the worst query was off by about a third of the segment's length: not explained yet.
+    // At 1e4 the worst query had an error of a third of the segment, for a reason not known yet.
     EXPECT_LE(worst, ratio > 1e3f ? 1000 : 2 * kAllowed) << ratio;
   }
 }
 
-// Also a scene that is one sphere of triangles: all edges shared.
+// This holds for a sphere of triangles too, where all edges are shared.
 TEST(SegmentQuery, EqualsALoopOverTessellatedSpheres) {
   TestRandom random(4);
   for (int round = 0; round < 400; ++round) {
@@ -108,7 +108,7 @@ TEST(SegmentQuery, EqualsALoopOverTessellatedSpheres) {
   }
 }
 
-// How far rays that disagree with the set are from any edge.
+// Returns how far rays that disagree with the set pass from any edge.
 double worst_ray(const SegmentScene& scene, const EmbreeScene& embree, const OccluderTree& tree,
                  const SegmentQuery& q, int rays, int& hidden) {
   const IntervalSet set = tree.visible_part(q.p, q.a, q.d, {0, 1});
@@ -139,7 +139,7 @@ TEST(SegmentQuery, EqualsTenThousandRays) {
   EXPECT_LT(hidden, 1500000);
 }
 
-// More than a hundred thousand triangles, so a tree of several levels.
+// More than a hundred thousand triangles make a tree of several levels.
 TEST(SegmentQuery, EqualsRaysInABigScene) {
   TestRandom random(6);
   SegmentScene scene;
@@ -161,7 +161,7 @@ TEST(SegmentQuery, EqualsRaysInABigScene) {
   EXPECT_LT(hidden, 57000);
 }
 
-// The set of a narrower range is the set of all within that range.
+// The visible part of a range is the whole visible part within that range.
 TEST(SegmentQuery, KeepsToTheRange) {
   TestRandom random(7);
   for (int round = 0; round < 1000; ++round) {

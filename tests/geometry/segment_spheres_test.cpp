@@ -6,8 +6,8 @@
 namespace raytracing {
 namespace {
 
-// In float spacings of the largest coordinate: how near a ray must graze a sphere, or an end lie to
-// its surface, for the answer to be in doubt.
+// A ray that passes a sphere, or an end of it, within this distance may be occluded or not. The
+// unit is the float spacing of the largest coordinate.
 constexpr double kAllowed = 32;
 
 double error_of(const SegmentScene& scene, const SegmentQuery& q) {
@@ -55,7 +55,7 @@ TEST(SegmentSpheres, TogetherWithTriangles) {
   }
 }
 
-// The segment from (-1, 2, 0) to (1, 2, 0), seen from the origin.
+// Queries the segment from (-1, 2, 0) to (1, 2, 0) as seen from the origin.
 IntervalSet seen(const Sphere& sphere) {
   SegmentScene scene;
   scene.spheres.push_back(sphere);
@@ -81,7 +81,7 @@ TEST(SegmentSpheres, TouchingThePlaneHidesAlmostNothing) {
   EXPECT_GE(seen({Vec3(0, 3, 0), 1}).length(), 1 - 2e-3f);
 }
 
-// The tangents from the origin make the angle asin(r / 1) with the axis.
+// The angle between the axis and the tangents from the origin is asin(r / 1).
 TEST(SegmentSpheres, TangentsBoundWhatIsHidden) {
   const IntervalSet set = seen({Vec3(0, 1, 0), 0.25f});
   ASSERT_EQ(set.intervals().size(), 2u);

@@ -1,5 +1,5 @@
-// Which of many points see one: against loops over everything in double precision, against Embree,
-// and where surfaces meet.
+// Shaft queries agree with loops over all triangles in double precision and with Embree, and no
+// light leaks where surfaces meet.
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@ namespace raytracing {
 namespace {
 
 constexpr int kNoLimit = 1 << 30;
-// In float spacings of the scene's largest coordinate: how near a ray must pass an edge for the
-// answer to be in doubt.
+// A ray that passes an edge within this distance may be occluded or not. The unit is the float
+// spacing of the largest coordinate of the scene.
 constexpr double kAllowed = 16;
-constexpr int kNeedles = 300;  // of a wall
+constexpr int kNeedles = 300;  // number of triangles of a wall
 
 struct Bundle {
   Vec3 p;
@@ -69,7 +69,7 @@ SegmentScene random_scene(TestRandom& random, const Vec3& offset, float scale) {
   return scene;
 }
 
-/// Targets together or all about, some of them not wanted.
+/// Makes targets close together or all around, some of which are not wanted.
 Bundle random_bundle(TestRandom& random, const Vec3& offset, float scale) {
   Bundle b;
   b.p = offset + random.in_cube(1.5f * scale);
@@ -138,7 +138,7 @@ TEST(ShaftQuery, EqualsEmbreeInABigScene) {
   EXPECT_LE(differing, asked / 100000);  // rays that graze an edge
 }
 
-// Rays aimed at corners and edges, at which the answers of two triangles might both be no.
+// Rays aimed at corners and edges are occluded, although they might miss both triangles.
 TEST(ShaftQuery, NothingShinesThroughClosedSurfaces) {
   TestRandom random(43);
   for (const auto& [scale, offset] :
@@ -165,8 +165,8 @@ TEST(ShaftQuery, NothingShinesThroughClosedSurfaces) {
   }
 }
 
-// Points of the walls of a closed box, as origins of rays, see each other: their own walls, in
-// which the shafts begin and end, hide nothing, though they consist of needles.
+// Ray origins on the walls of a closed box see each other: their own walls, on which the shafts
+// begin and end, occlude nothing, although they consist of needles.
 TEST(ShaftQuery, WallsDoNotHideThemselves) {
   TestRandom random(44);
   for (const auto& [scale, offset] :
@@ -178,7 +178,7 @@ TEST(ShaftQuery, WallsDoNotHideThemselves) {
       const auto white = maker.add_surface(Diffuse{});
       const Frame turned = Frame::around(random.direction());
       const auto at = [&](const Vec3& v) { return center + scale * turned.to_world(v); };
-      // Fans of needles, each beginning at its tip.
+      // The walls are fans of needles, each of which begins at its tip.
       const auto add_wall = [&](const Vec3& middle, const Vec3& u, const Vec3& v) {
         const Vec3 tip = at(middle - u - v);
         for (int i = 0; i < kNeedles; ++i) {
@@ -210,7 +210,7 @@ TEST(ShaftQuery, WallsDoNotHideThemselves) {
       for (int k = 0; k < b.count; ++k)
         b.set(k, origin_of(normalize(towards + random.in_cube(0.2f))));
       ASSERT_TRUE(b.ask(scene.occluders()));
-      // Of two points in one wall nothing is known: rounding decides.
+      // Rounding decides whether two points of the same wall see each other.
       for (int k = 0; k < b.count; ++k) {
         const Vec3 step = absolute(turned.to_local(b.target(k) - b.p));
         const float least = std::min(step.x, std::min(step.y, step.z));
@@ -225,14 +225,14 @@ TEST(ShaftQuery, GivesUpBeyondTheLimit) {
   SegmentScene scene;
   for (int i = 0; i < 40; ++i) {
     const auto z = static_cast<float>(1 + i);
-    scene.add({-9, -9, z}, {9, -9, z}, {-9, 9, z});  // hides what lies below a diagonal
+    scene.add({-9, -9, z}, {9, -9, z}, {-9, 9, z});  // occludes the targets below a diagonal
   }
   const OccluderTree tree = scene.build();
   Bundle b;
   b.p = {0, 0, 0};
   for (int k = 0; k < b.count; ++k) b.set(k, {0.1f * static_cast<float>(k - 32), 0, 50});
   Bundle limited = b;
-  EXPECT_FALSE(limited.ask(tree, 40));  // each is a step, and so are nodes and blocks
+  EXPECT_FALSE(limited.ask(tree, 40));  // each triangle, node and block is a step
   EXPECT_TRUE(b.ask(tree, 80));
   EXPECT_LT(b.left(), 64);
   for (int k = 0; k < b.count; ++k) EXPECT_GE(limited.wanted[k], b.wanted[k]);
@@ -244,7 +244,7 @@ TEST(ShaftQuery, GivesUpBeyondTheLimit) {
   EXPECT_FALSE(past.ask(scene.build(), 1));
   EXPECT_TRUE(past.ask(scene.build(), 2));
 
-  // A fine flat surface behind the targets costs steps too, though nothing of it can hide them.
+  // A finely tessellated surface behind the targets costs steps too, although it occludes nothing.
   SegmentScene sheet;
   for (int i = 0; i < 3000; ++i) {
     const auto x = 0.01f * static_cast<float>(i - 1500);

@@ -1,5 +1,5 @@
-// A ray that leaves a surface does not meet it again, whatever the scale and the place; nor does a
-// shadow ray meet the light at its end.
+// A ray that leaves a surface does not hit it again, at any scale and position, and a shadow ray
+// does not hit the light at its end.
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ namespace raytracing {
 namespace {
 
 constexpr float kScales[]{1e-4f, 1e-2f, 1, 1e2f, 1e4f, 1e6f};
-constexpr float kOffsets[]{0, 1, 30, 1e3f};  // distance from the origin, in sizes of the shape
+constexpr float kOffsets[]{0, 1, 30, 1e3f};  // distances from the origin, in sizes of the shape
 
-/// A direction on the side of the unit normal, often close to the surface.
+/// Returns a direction on the side of the unit normal, often close to the surface.
 Vec3 leaving(const Vec3& n, TestRandom& random) {
   Vec3 d = random.direction();
   if (dot(d, n) < 0) d = -d;
@@ -23,7 +23,7 @@ Vec3 leaving(const Vec3& n, TestRandom& random) {
   return d;
 }
 
-/// The vertex where a ray from `from` at the point `target` meets the only shape of the scene.
+/// Returns the vertex where a ray from `from` to `target` hits the only shape of the scene.
 std::optional<Vertex> meet(const Scene& scene, const Vec3& from, const Vec3& target) {
   const Ray ray{from, normalize(target - from)};
   const auto hit = scene.geometry().closest_hit(ray);
@@ -90,7 +90,7 @@ TEST(SpawnedRays, LeaveTheOutsideOfASphere) {
     }
 }
 
-// Inside a sphere a ray meets the other side: after a chord of 2 r cos, not at its own start.
+// Inside a sphere a ray hits the other side after a chord of 2 r cos, not its own origin.
 TEST(SpawnedRays, CrossTheInsideOfASphere) {
   TestRandom random(23);
   for (const float scale : kScales)
@@ -116,7 +116,7 @@ TEST(SpawnedRays, CrossTheInsideOfASphere) {
     }
 }
 
-// A shadow ray ends before the light, however flat it arrives.
+// A shadow ray ends in front of the light at any grazing angle.
 TEST(SpawnedRays, EndBeforeTheLight) {
   TestRandom random(24);
   for (const float scale : kScales)
@@ -143,8 +143,8 @@ TEST(SpawnedRays, EndBeforeTheLight) {
     }
 }
 
-// The light is near the origin of coordinates, which tells its plane exactly; the vertex is far
-// away and sees it at a flat angle.
+// The light is near the origin of coordinates and its plane is thus accurate; the vertex is far
+// away and sees it at a grazing angle.
 TEST(SpawnedRays, EndBeforeTheLightOfAFarVertex) {
   TestRandom random(25);
   for (const float scale : kScales)

@@ -19,9 +19,9 @@ Polygon flat(std::initializer_list<Vec2> points) {
 }
 
 struct Areas {
-  double polygon = 0;   // along the Newell normal
-  double sum = 0;       // signed, along the Newell normal
-  double absolute = 0;  // more than the sum when triangles overlap
+  double polygon = 0;   // area along the Newell normal
+  double sum = 0;       // signed area of the triangles along the Newell normal
+  double absolute = 0;  // exceeds the sum when triangles overlap
   int without_area = 0;
 };
 
@@ -39,7 +39,7 @@ Areas areas_of(const Polygon& polygon) {
   return areas;
 }
 
-// A simple polygon must be covered once: n - 2 triangles, all the same way round, area conserved.
+// A simple polygon must be covered once, by n - 2 triangles of the same orientation and its area.
 void expect_covered(const Polygon& polygon, int without_area = 0, double tolerance = 1e-6) {
   const auto triangles = triangulate(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2);
@@ -57,7 +57,7 @@ void expect_covered(const Polygon& polygon, int without_area = 0, double toleran
   EXPECT_EQ(areas.without_area, without_area);
 }
 
-// The polygon in every orientation of its plane, mirrored, and started at each corner.
+// Tests the polygon in each orientation of its plane, mirrored, and started at each corner.
 void expect_covered_everywhere(const Polygon& polygon, int without_area = 0) {
   for (std::size_t start = 0; start < polygon.size(); ++start) {
     Polygon turned = polygon;
@@ -115,7 +115,7 @@ TEST(Triangulate, CollinearCornersGiveNoEmptyTriangles) {
   expect_covered_everywhere(flat({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}));
   expect_covered_everywhere(flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}));
   expect_covered_everywhere(flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {0, 3}}));
-  // Thirds are not exact in binary, but corners on an axis stay collinear in every projection.
+  // Thirds are not exact in binary, but corners along an axis stay collinear in every projection.
   expect_covered_everywhere(flat({{0, 0}, {1 / 3.0f, 0}, {0.7f, 0}, {1.1f, 0}, {1.1f, 0.1f}}));
 }
 
@@ -128,7 +128,7 @@ TEST(Triangulate, SpikeOutOfAPolygon) {
   expect_covered_everywhere(flat({{0, 0}, {2, 0}, {4, 0}, {2, 0}, {2, 2}, {0, 2}}), 2);
 }
 
-// The usual way to write a hole in an OBJ file: walk to it and back along one edge.
+// A hole in a polygon of an OBJ file is usually joined to the boundary by a pair of equal edges.
 TEST(Triangulate, HoleReachedByABridge) {
   const Polygon ring =
       flat({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}});
@@ -159,7 +159,7 @@ TEST(Triangulate, PolygonThatTouchesItselfInAPoint) {
   expect_covered_everywhere(flat({{0, 0}, {2, 1}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}), 2);
 }
 
-// Two petals close together: the corner between them seems convex, with both petals in its ear.
+// The corner between two close petals seems convex, with both petals in its ear.
 TEST(Triangulate, PetalsThatMeetInAPoint) {
   expect_covered_everywhere(flat({{0, 0}, {9, 0}, {9, 3}, {0, 0}, {3, 9}, {0, 9}}), 2);
   expect_covered_everywhere(
@@ -250,7 +250,7 @@ TEST(NewellNormal, KeepsPrecisionFarFromTheOrigin) {
   EXPECT_EQ(newell_normal(square), DVec3(0, 0, 2));
 }
 
-// With a plain (or fused) cross product rounding leaves something when two corners coincide.
+// A plain (or fused) cross product would not be exactly 0 when two corners coincide.
 TEST(NewellNormal, IsExactlyZeroWithoutArea) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> exponent(-20, 20);
@@ -266,12 +266,12 @@ TEST(NewellNormal, IsExactlyZeroWithoutArea) {
 
 TEST(IsConvex, TellsConvexFromConcave) {
   EXPECT_TRUE(is_convex(flat({{0, 0}, {1, 0}, {0, 1}})));
-  EXPECT_TRUE(is_convex(flat({{0, 0}, {0, 1}, {1, 0}})));  // clockwise: seen from behind
+  EXPECT_TRUE(is_convex(flat({{0, 0}, {0, 1}, {1, 0}})));  // clockwise, that is seen from behind
   EXPECT_TRUE(is_convex(flat({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})));
   EXPECT_TRUE(is_convex(flat({{0, 0}, {2, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}})));
   EXPECT_FALSE(is_convex(flat({{0, 0}, {4, 0}, {1, 1}, {0, 4}})));
   EXPECT_FALSE(is_convex(flat({{0, 0}, {2, 0}, {3, 0}, {2, 0}, {2, 2}, {0, 2}})));  // a spike
-  EXPECT_FALSE(is_convex(flat({{0, 0}, {1, 0}, {2, 0}})));                          // no area
+  EXPECT_FALSE(is_convex(flat({{0, 0}, {1, 0}, {2, 0}})));                          // zero area
 }
 
 TEST(IsConvex, WindingTwiceIsNotConvex) {

@@ -18,7 +18,7 @@ struct Shape {
   AreaLight light;
 };
 
-// A light with the given corners in its plane, tilted and moved.
+// Makes a light from 2D corners in a rotated and translated plane.
 AreaLight light_of(std::vector<Vec2> corners) {
   const Frame frame = Frame::around(normalize(Vec3(1, -2, 3)));
   std::vector<Vec3> placed;
@@ -38,13 +38,14 @@ const std::vector<Shape>& shapes() {
   return all;
 }
 
-// A point over the light's plane, by coordinates along its first edge, across it, and its normal.
+// Returns the point with these coordinates along the first edge, across it, and along the normal.
 Vec3 place(const AreaLight& light, float x, float y, float height) {
   const Vec3 along = normalize(light.corners[1] - light.corners[0]);
   return light.corners[0] + x * along + y * cross(light.normal, along) + height * light.normal;
 }
 
-// Over it, near, beside it, far enough to be small but not too small, grazing.
+// Points above the light, near it, beside it, far from it (with a small but usable solid angle),
+// and at a grazing angle.
 std::vector<Vec3> places(const AreaLight& light) {
   return {place(light, 1, 0.5f, 1), place(light, 0.9f, 0.4f, 0.15f), place(light, -1, 2, 0.5f),
           place(light, 4, -6, 9), place(light, 3, 0.4f, 0.2f)};
@@ -101,7 +102,7 @@ TEST(AreaLight, SampleSolidAngleIsUniform) {
     }
 }
 
-// Densities that are 1 / solid angle at once: the density is exact, not only its mean.
+// Each density is 1 / solid angle, not only their mean.
 TEST(AreaLight, SolidAngleDensityIsOneOverTheSolidAngle) {
   for (const auto& [name, light] : shapes())
     for (const Vec3& from : places(light)) {
@@ -111,8 +112,8 @@ TEST(AreaLight, SolidAngleDensityIsOneOverTheSolidAngle) {
     }
 }
 
-// The mean of 1 / density is the solid angle, for both ways to sample, wherever one looks from:
-// also where the second falls back to the first (far, and very near).
+// The mean of 1 / density is the solid angle for both sampling methods from all points, including
+// those where solid-angle sampling falls back to area sampling (far, and very near).
 TEST(AreaLight, MeanInverseDensityIsTheSolidAngle) {
   const double level = sidak_level(kFamilyLevel, 9.0 * static_cast<double>(shapes().size()));
   for (const auto& [name, light] : shapes()) {
@@ -155,8 +156,8 @@ TEST(AreaLight, NothingFromBehind) {
   }
 }
 
-// Also where the observer is in the plane but for rounding: never NaN. Samples lie on the light, if
-// the observer does not touch it.
+// Densities are never NaN, not even for points in the plane of the light up to rounding. Samples
+// lie on the light, unless the point touches it.
 TEST(AreaLight, ExtremesGiveFinitePointsAndDensities) {
   for (const auto& [name, light] : shapes()) {
     const PolygonCells cells(light.corners, 1);

@@ -13,7 +13,7 @@
 namespace raytracing {
 namespace {
 
-constexpr double kAllowed = 1e-5;  // relative
+constexpr double kAllowed = 1e-5;  // relative error
 
 struct Case {
   Chord chord;
@@ -21,11 +21,11 @@ struct Case {
   Interval part;
 };
 
-// Gauss-Legendre quadrature in long double of h (n.foot + s n.d) / (D^2 + s^2)^2, with h the height
-// and D the distance of the line.
+// Integrates h (n.foot + s n.d) / (D^2 + s^2)^2 by Gauss-Legendre quadrature in long double, where
+// h is the height and D the distance of the line.
 long double reference(const Case& c) {
   const LVec3 d(c.chord.direction), r = LVec3(c.chord.begin) - LVec3(c.from);
-  // The unit vectors are rounded: d.d is not 1.
+  // The unit vectors are rounded, so that d.d is not exactly 1.
   const long double dd = dot(d, d), b = dot(r, d) / dd;
   const LVec3 foot = r - b * d;
   const long double h = -dot(foot, LVec3(c.light_normal));
@@ -36,7 +36,7 @@ long double reference(const Case& c) {
     const long double r2 = d2 + dd * s * s;
     return h * (nf + s * nd) / (r2 * r2);
   };
-  // Panels in asinh(s / D): the integrand is smooth in it however close the foot.
+  // The panels are uniform in asinh(s / D), in which the integrand is smooth for any distance.
   const long double scale = std::sqrt(d2);
   const long double a0 = std::asinh(s0 / scale), a1 = std::asinh(s1 / scale);
   constexpr std::array<long double, 4> x{0.18343464249564980494L, 0.52553240991632898582L,
@@ -55,8 +55,8 @@ long double reference(const Case& c) {
   return sum;
 }
 
-// A frame in which the chord starts at the origin, runs along x, and its light faces -z; the point
-// lies at (along, aside, height), height > 0 on the light's side.
+// In this frame the chord starts at the origin along +x and its light faces -z; the point lies at
+// (along, aside, height), with height > 0 on the emitting side.
 struct Place {
   float along, aside, height;
 };
@@ -66,7 +66,7 @@ double relative_error(const Place& place, const Vec3& n, const Interval& part) {
   const Case c{{Vec3(0.0f), Vec3(1, 0, 0), 1}, from, Vec3(0, 0, -1), n, part};
   const SeenChord seen(c.chord, c.from, c.light_normal);
   const Interval above = seen.above_horizon(n, part);
-  if (!(above.length() >= 0.999f * part.length())) return 0;  // for the tests of the horizon
+  if (!(above.length() >= 0.999f * part.length())) return 0;  // left to the tests of the horizon
   const long double exact = reference(c);
   return static_cast<double>(std::abs(seen.irradiance(n, part) - exact) / std::abs(exact));
 }
@@ -75,7 +75,7 @@ double worst_over_normals_and_parts(const Place& place, TestRandom& random) {
   double worst = 0;
   for (int i = 0; i < 40; ++i) {
     Vec3 n = random.direction();
-    // Well above the horizon: else the result itself is a small difference.
+    // The chord is well above the horizon; otherwise the result itself is a small difference.
     const auto cosine = [&](float t) {
       return dot(n, normalize(Vec3(t - place.along, -place.aside, place.height)));
     };
@@ -154,7 +154,7 @@ TEST(ChordIntegral, HorizonCutsWhereTheCosineChangesSign) {
   expect(Vec3(-1, 0, 0), {0.25f, 1}, 0.25f, 0.25f);
 }
 
-// Chords over a rectangle: Lambert's polygon formula, the horizon included.
+// Chords over a rectangle sum to Lambert's formula for polygons, with and without a horizon.
 TEST(ChordIntegral, ChordsOfARectangleMakeLambertsFormula) {
   TestRandom random(2);
   const std::vector<Vec3> corners{Vec3(-1, -0.5f, 2), Vec3(-1, 0.5f, 2), Vec3(1, 0.5f, 2),
@@ -168,7 +168,7 @@ TEST(ChordIntegral, ChordsOfARectangleMakeLambertsFormula) {
       return static_cast<double>(seen.irradiance(n, seen.above_horizon(n, {0, 1})));
     };
     const auto exact = static_cast<double>(lambert(long_polygon(corners), LVec3(from), LVec3(n)));
-    // The profile has a bend where the horizon leaves an end of the chords: many panels.
+    // Many panels are needed, because the profile has a kink where the horizon leaves the chords.
     EXPECT_NEAR(integrate(at, -0.5, 0.5, 64), exact, 2e-5 * exact + 2e-6) << round;
   }
 }

@@ -34,8 +34,8 @@ TEST(WholeChords, DensityIntegratesToTheArea) {
   }
 }
 
-// Whole chords move with u as their density says: pdf_u dx/du = 1. From close to the light's plane
-// and edges too.
+// The position x of a whole chord satisfies pdf_u dx/du = 1, from points close to the plane and the
+// edges of the light too.
 TEST(WholeChords, HaveTheDensityTheyPromise) {
   for (const auto& corners : {kRectangle, kTriangle, kPentagon}) {
     const AreaLight light(corners, Rgb(1.0f));
@@ -68,7 +68,7 @@ TEST(WholeChords, HaveTheDensityTheyPromise) {
   EXPECT_FALSE(sample_whole_chord(light, Vec3(5, 0.5f, 0), 1, 0.5f));
 }
 
-// Near: uniform in solid angle for rectangles. Others, and far ones: uniform in area.
+// Points are uniform in solid angle for near rectangles, and uniform in area for all other lights.
 TEST(ChordSample, PointsHaveTheDensityTheyPromise) {
   TestRandom random(1);
   for (const auto& corners : {kRectangle, kTriangle, kPentagon}) {

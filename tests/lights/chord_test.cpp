@@ -22,7 +22,7 @@ std::vector<std::vector<Vec3>> polygons() {
           polygon({{0, 0}, {1.5f, -0.4f}, {2.2f, 0.5f}, {1.2f, 1.7f}, {-0.3f, 1.1f}})};
 }
 
-// Distance of a point from the nearest edge.
+// Returns the distance of a point from the nearest edge.
 double distance_to_boundary(const std::vector<Vec3>& corners, const Vec3& p) {
   double best = INFINITY;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -33,7 +33,7 @@ double distance_to_boundary(const std::vector<Vec3>& corners, const Vec3& p) {
   return best;
 }
 
-// Chords of a polygon along any direction of its plane; turn in [0,1).
+// The chords of a polygon in a direction of its plane; `turn` in [0,1) is its angle over 2 pi.
 struct Setting {
   AreaLight light;
   ChordSet chords;
@@ -44,8 +44,8 @@ struct Setting {
   }
 };
 
-// Chord lengths are linear between the corners, so the integral of the midpoint rule with n steps
-// is off by no more than a few 1/n^2.
+// The length of chords is linear between corners, so that the midpoint rule with n steps has an
+// error of a few 1/n^2.
 double integral_of_lengths(const ChordSet& chords, int n) {
   double sum = 0;
   for (int i = 0; i < n; ++i) {
@@ -81,8 +81,8 @@ TEST(Chords, EndsLieOnTheBoundary) {
     }
 }
 
-// Chords with the density length / area, and a uniform point on each, are uniform on the light.
-// Here weighted: the share of each cell is the mean of length / area * extent over its points.
+// Uniform points of chords with the density length / area are uniform on the light. Here uniform
+// chords are weighted: the mean of length / area * extent over the points of a cell is its share.
 TEST(Chords, WeightedPointsCoverTheLightUniformly) {
   const double tests = 4.0 * 25;
   for (const std::vector<Vec3>& corners : polygons()) {
@@ -98,7 +98,8 @@ TEST(Chords, WeightedPointsCoverTheLightUniformly) {
         shares[k].add(k == cell ? chord->length * setting.chords.extent() : 0.0);
     }
     for (std::size_t k = 0; k < shares.size(); ++k) {
-      if (areas[k] * 40000 < 20 * setting.light.area) continue;  // too few for a normal mean
+      if (areas[k] * 40000 < 20 * setting.light.area)
+        continue;  // too few points for a normal distribution of the mean
       EXPECT_GT(mean_p_value(shares[k], areas[k]), sidak_level(kFamilyLevel, tests)) << k;
     }
   }

@@ -13,7 +13,7 @@
 namespace raytracing {
 namespace {
 
-// The unit cells [i, i+1) that are left, as a plain row of flags.
+// A reference implementation: one flag for each unit cell [i, i+1).
 class Cells {
  public:
   Cells(int begin, int end, int size) : left_(static_cast<std::size_t>(size)) {
@@ -39,8 +39,8 @@ class Cells {
   std::vector<bool> left_;
 };
 
-// The parts of the set, of which neighbours that touch are joined: whether a cut of no width
-// separates two parts is of no account.
+// Returns the intervals of the set with touching neighbours merged: a gap of zero width makes no
+// difference.
 std::vector<std::pair<int, int>> joined(const IntervalSet& set, float scale) {
   std::vector<std::pair<int, int>> result;
   for (const Interval& part : set.intervals()) {
@@ -71,7 +71,7 @@ void expect_same(const IntervalSet& set, const Cells& cells, float scale) {
   ASSERT_EQ(set.hull().end, static_cast<float>(runs.back().second) * scale);
 }
 
-// Ends are multiples of a power of two: every comparison is exact, many cuts touch each other.
+// The ends are multiples of a power of two, so that comparisons are exact and many ends coincide.
 TEST(IntervalSet, EqualsARowOfFlags) {
   TestRandom random(1);
   const auto below = [&](int n) {
@@ -96,8 +96,8 @@ TEST(IntervalSet, EqualsARowOfFlags) {
   }
 }
 
-// Hundreds of holes one by one in random order, then the parts one by one: past the places held
-// inside the object, up and down again.
+// Cuts hundreds of holes in random order, then removes what remains. The number of intervals passes
+// the capacity of the in-place storage in both directions.
 TEST(IntervalSet, DropsNothingHoweverManyPartsThereAre) {
   TestRandom random(2);
   for (int count : {7, 8, 9, 10, 16, 17, 100, 500}) {
@@ -155,7 +155,7 @@ TEST(IntervalSet, ExactTouchingTakesNothing) {
   EXPECT_TRUE(set.empty());
 }
 
-// The smallest possible parts stay.
+// Intervals of the smallest possible length remain.
 TEST(IntervalSet, KeepsPartsOfOneSpacing) {
   const float next = std::nextafter(0.5f, 1.0f);
   IntervalSet set({0, 1});

@@ -8,7 +8,7 @@
 namespace raytracing {
 namespace {
 
-constexpr double kBound = 1e-7;  // as documented
+constexpr double kBound = 1e-7;  // the documented error
 constexpr int kSteps = 1 << 20;
 
 TEST(Circle, EighthIsCosineAndSine) {

@@ -9,8 +9,8 @@
 namespace raytracing {
 namespace {
 
-// Random normals, the axes with either sign of zero, and normals next to -z, where the branch-free
-// formula divides by small numbers if its sign is wrong.
+// Returns random normals, the axes with zeros of either sign, and normals next to -z, for which the
+// branch-free formula would divide by small numbers if its sign were wrong.
 std::vector<Vec3> normals() {
   std::vector<Vec3> result;
   for (float s : {1.0f, -1.0f})

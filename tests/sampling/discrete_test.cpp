@@ -43,7 +43,7 @@ TEST(DiscreteDistribution, NeverChoosesWeightZero) {
     const DiscreteDistribution choose(weights);
     std::vector<float> us = {0.0f, 0x1p-24f, 0.5f, 1 - 0x1p-23f, kOneMinus};
     for (int i = 0; i < 1000; ++i) us.push_back(random.unit());
-    // Each border of the cumulative sum and its neighbours.
+    // Each cumulative sum is tested with its neighbours.
     for (double sum = 0, total = std::accumulate(weights.begin(), weights.end(), 0.0);
          float weight : weights) {
       sum += weight;
@@ -61,7 +61,7 @@ TEST(DiscreteDistribution, NeverChoosesWeightZero) {
   }
 }
 
-// Choices follow the weights, and in each the rest of the uniform number is uniform again.
+// Choices follow the weights, and the remapped random number is uniform in each.
 TEST(DiscreteDistribution, ChoicesFollowWeightsAndTheRestIsUniform) {
   const std::size_t cells = 10;
   for (const std::vector<float>& weights : kWeights) {
@@ -78,7 +78,7 @@ TEST(DiscreteDistribution, ChoicesFollowWeightsAndTheRestIsUniform) {
   }
 }
 
-// Regular numbers show it without chance: the share of k/2^16 that choose i is pmf(i).
+// Of the regular numbers k/2^16, the fraction pmf(i) chooses item i.
 TEST(DiscreteDistribution, SharesOfRegularNumbersAreThePmf) {
   for (const std::vector<float>& weights : kWeights) {
     const DiscreteDistribution choose(weights);

@@ -1,4 +1,4 @@
-// The four numbers of pairs 0 and 1: one 4D Owen-scrambled Sobol' sequence.
+// The four numbers of pairs 0 and 1 form one 4D Owen-scrambled Sobol' sequence.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 namespace raytracing {
 namespace {
 
-// A coordinate by its definition: point i is the sum modulo 2 of the direction numbers m_k / 2^k of
-// the bits set in i. The recurrences are written out (Bratley & Fox 1988; numbers of Joe & Kuo).
+// Computes a coordinate by its definition: point i is the sum modulo 2 of the direction numbers
+// m_k / 2^k of the bits set in i. The recurrences are those of Bratley & Fox 1988.
 struct Definition {
   std::array<std::uint64_t, 33> m{};
 
@@ -29,7 +29,7 @@ struct Definition {
   }
 };
 
-// Polynomial x^2 + x + 1.
+// This is the recurrence of the polynomial x^2 + x + 1.
 Definition third() {
   Definition d;
   d.m[1] = 1;
@@ -38,7 +38,7 @@ Definition third() {
   return d;
 }
 
-// Polynomial x^3 + x + 1.
+// This is the recurrence of the polynomial x^3 + x + 1.
 Definition fourth() {
   Definition d;
   d.m[1] = 1;
@@ -49,7 +49,7 @@ Definition fourth() {
 }
 
 TEST(JointSobol, DirectionNumbersAreThePublishedOnes) {
-  // The first of the lists that follow from the recurrences, worked out by hand.
+  // The first direction numbers were computed from the recurrences by hand.
   const std::array<std::uint64_t, 6> in_third{1, 3, 3, 9, 29, 23}, in_fourth{1, 3, 1, 5, 31, 29};
   const Definition c = third(), d = fourth();
   for (std::size_t k = 0; k < 6; ++k) {
@@ -82,7 +82,7 @@ std::vector<Numbers> block(std::uint64_t seed, std::uint32_t x, std::uint64_t fi
   return points;
 }
 
-// Cuts axis i into 2^bits[i] slices; every box must hold the same number of points.
+// Divides axis i into 2^bits[i] slices; every box must contain the same number of points.
 void expect_even(const std::vector<Numbers>& points, const std::array<int, 4>& bits) {
   std::size_t boxes = 1;
   for (int b : bits) boxes <<= b;
@@ -100,7 +100,7 @@ void expect_even(const std::vector<Numbers>& points, const std::array<int, 4>& b
 }
 
 // A coordinate of degree e adds e - 1 to the t of its projections (Niederreiter 1992, theorem
-// 4.49): so the 2^k points of a block lie evenly in all boxes of volume 2^(t-k).
+// 4.49). The 2^k points of a block are thus equidistributed in all boxes of volume 2^(t-k).
 int quality(const std::array<int, 4>& bits) {
   constexpr std::array excess{0, 0, 1, 2};
   int t = 0;
@@ -121,8 +121,8 @@ void expect_promised_nets(const std::vector<Numbers>& points, int k) {
         }
 }
 
-// Includes: each number alone is stratified in 2^k strata, pair 0 is a (0, k, 2)-net, pair 1 a
-// (3, k, 2)-net, all four a (3, k, 4)-net.
+// It follows that each number alone is stratified in 2^k strata, that pair 0 is a (0, k, 2)-net,
+// pair 1 a (3, k, 2)-net, and all four numbers a (3, k, 4)-net.
 TEST(JointSobol, BlocksAreTheNetsThatTheSequencePromises) {
   for (std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}})
     for (std::uint32_t x : {0u, 1u, 1023u}) {
@@ -133,8 +133,8 @@ TEST(JointSobol, BlocksAreTheNetsThatTheSequencePromises) {
   expect_promised_nets(block(7, 7, 0, 12), 12);
 }
 
-// The scramblings of the four coordinates and of different pixels are independent: the first
-// sample's four numbers are uniform together over the pixels.
+// The four coordinates and different pixels are scrambled independently: over the pixels, the four
+// numbers of the first sample are jointly uniform.
 TEST(JointSobol, TheFourScramblingsAreIndependent) {
   for (std::uint64_t sample : {0u, 1u, 37u}) {
     std::vector<double> counts(256);

@@ -11,8 +11,8 @@
 namespace raytracing {
 namespace {
 
-// The definition (Bratley & Fox 1988): polynomial x + 1, so m_k = 2 m_(k-1) xor m_(k-1), m_1 = 1;
-// the direction number of bit k - 1 of the index is m_k / 2^k.
+// By definition (Bratley & Fox 1988) with the polynomial x + 1, m_k = 2 m_(k-1) xor m_(k-1), m_1 =
+// 1, and the direction number of bit k - 1 of the index is m_k / 2^k.
 std::uint32_t sobol2_by_definition(std::uint32_t index) {
   std::uint64_t m = 1;
   std::uint32_t x = 0;
@@ -38,8 +38,8 @@ TEST(OwenSobol, SecondDimensionIsTheOneOfTheDirectionNumbers) {
   }
 }
 
-// Changing bit k changes bit k of the result and none below it: so each low part is a bijection of
-// the low part, which is a permutation of the intervals of every dyadic partition.
+// Changing bit k changes bit k of the result and no lower bit. The low bits are thus mapped
+// bijectively, which permutes the intervals of every dyadic partition.
 TEST(OwenSobol, ScramblingIsNested) {
   TestRandom random(2);
   for (int i = 0; i < 100000; ++i) {
@@ -53,8 +53,8 @@ TEST(OwenSobol, ScramblingIsNested) {
   }
 }
 
-// A random scrambling flips each bit with probability 1/2 whatever the lower bits are. The hash
-// comes near to it: averaged over seeds, any bit of the result is set in 49 to 51 %.
+// A random scrambling flips each bit with probability 1/2 for any lower bits. The hash comes close:
+// averaged over seeds, each bit of the result is set in 49 to 51 %.
 TEST(OwenSobol, ScramblingDependsOnTheSeedInEveryBit) {
   TestRandom random(3);
   for (std::uint32_t x : {0u, 1u, 0x80000000u, 0x12345678u, 0xffffffffu}) {
@@ -68,8 +68,8 @@ TEST(OwenSobol, ScramblingDependsOnTheSeedInEveryBit) {
   }
 }
 
-// The intervals of the first 2^k samples of any pixel, seed and pair: each cell of every partition
-// into 2^a columns and 2^(k-a) rows holds exactly one point.
+// For the first 2^k samples of any pixel, seed and pair, each cell of every partition into 2^a
+// columns and 2^(k-a) rows contains exactly one point.
 void expect_net(std::uint64_t seed, std::uint32_t pixel, std::uint32_t pair, std::uint64_t first,
                 int k) {
   std::vector<Vec2> points;
@@ -84,7 +84,7 @@ void expect_net(std::uint64_t seed, std::uint32_t pixel, std::uint32_t pair, std
   }
 }
 
-// Pair 1 is the third and fourth coordinate of pair 0's sequence: see joint_sobol_test.cpp.
+// Pair 1 has the third and fourth coordinate of the sequence of pair 0: see joint_sobol_test.cpp.
 TEST(OwenSobol, SamplesOfEveryPairButOneAreNetsInBaseTwo) {
   for (std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}})
     for (std::uint32_t pixel : {0u, 1u, 1023u})

@@ -33,7 +33,7 @@ TEST(PathSampler, OrderOfCallsDoesNotMatter) {
   }
 }
 
-// Whatever it keeps from the sample before: another sample, pixel, epoch or replicate.
+// PixelSampler equals the constructor whether sample, pixel, epoch or replicate changes.
 TEST(PixelSampler, GivesWhatTheConstructorGives) {
   const std::uint64_t epoch = std::uint64_t{1} << 32;
   for (SamplerKind kind : kBoth) {
@@ -71,7 +71,7 @@ TEST(PathSampler, NumbersLieBelowOne) {
     }
 }
 
-// All arguments change every number; so does bit 32 and above of the sample index.
+// All arguments change every number, and so do bits 32 and above of the sample index.
 TEST(PathSampler, EveryArgumentCounts) {
   for (SamplerKind kind : kBoth) {
     PathSampler base(kind, 1, 2, 3, 4);
@@ -97,7 +97,8 @@ TEST(PathSampler, EveryArgumentCounts) {
 
 using Numbers = std::function<std::array<float, 4>(std::uint32_t)>;
 
-// p-value of "the four numbers are independent and uniform", by 4^4 cells and n points.
+// Returns the p-value of "the four numbers are independent and uniform" from 4^4 cells and n
+// points.
 double joint_p_value(const Numbers& numbers, std::uint32_t n) {
   std::vector<double> counts(256);
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -110,8 +111,8 @@ double joint_p_value(const Numbers& numbers, std::uint32_t n) {
 
 std::array<float, 4> join(const Vec2& a, const Vec2& b) { return {a.x, a.y, b.x, b.y}; }
 
-// Two pairs of one sample, over the pixels of a picture and over the samples of a pixel. Points of
-// nets fill the cells more evenly than chance would; the test rejects only uneven filling.
+// Two pairs of a sample are tested over the pixels of an image and over the samples of a pixel.
+// Nets fill the cells more evenly than random points; the test rejects only uneven filling.
 TEST(PathSampler, PairsAreIndependentOfEachOther) {
   const std::uint32_t n = 1 << 14;
   for (SamplerKind kind : kBoth)
@@ -129,7 +130,7 @@ TEST(PathSampler, PairsAreIndependentOfEachOther) {
     }
 }
 
-// The same pair in neighbouring pixels, seeds and blocks of samples.
+// The same pair is independent in neighbouring pixels, seeds and blocks of samples.
 TEST(PathSampler, PixelsAndSeedsAreIndependentOfEachOther) {
   const std::uint32_t n = 1 << 14;
   for (SamplerKind kind : kBoth)
@@ -161,7 +162,7 @@ TEST(PathSampler, PixelsAndSeedsAreIndependentOfEachOther) {
     }
 }
 
-// Extra numbers: among themselves, along samples, along pixels, and with the pair they belong to.
+// Extra numbers are independent of each other, over samples and pixels, and of their pair.
 TEST(PathSampler, ExtraNumbersAreIndependent) {
   const std::uint32_t n = 1 << 14;
   for (SamplerKind kind : kBoth)

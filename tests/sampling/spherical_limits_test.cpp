@@ -1,5 +1,5 @@
-// Where the sampling of a rectangle's solid angle changes its arithmetic, and where lights change
-// from it to sampling by area: the answers on both sides are the same.
+// Solid-angle sampling of rectangles changes from float to double at some limits, and lights change
+// from it to area sampling at others. The results on both sides of each limit are the same.
 
 #include <gtest/gtest.h>
 
@@ -15,18 +15,19 @@
 namespace raytracing {
 namespace {
 
-constexpr double kFloatLow = 0.01, kFloatHigh = 6;         // SphericalRectangle: float between them
-constexpr double kUsableLow = 3e-3, kUsableHigh = 6.2831;  // lights: by area outside of them
+constexpr double kFloatLow = 0.01, kFloatHigh = 6;  // SphericalRectangle uses float between these
+constexpr double kUsableLow = 3e-3,
+                 kUsableHigh = 6.2831;  // lights are sampled by area outside these
 
 AreaLight light_of(const Rectangle& r) {
   const Vec3 x = r.width * r.x, y = r.height * r.y;
   return {std::vector<Vec3>{r.corner, r.corner + x, r.corner + x + y, r.corner + y}, Rgb(1)};
 }
 
-// A rectangle in the plane z = 0, and places over the origin, which lies in it or beside it.
+// A rectangle in the plane z = 0 and points above the origin, which lies in it or beside it.
 struct Setting {
   AreaLight light;
-  Rectangle rectangle;  // of the light
+  Rectangle rectangle;  // the shape of the light
   bool inside;
   Vec3 at(float height) const { return {0, 0, height}; }
   double solid_angle(float height) const {
@@ -43,9 +44,9 @@ Setting random_setting(TestRandom& random, bool inside) {
   return {light, light.rectangle.value(), inside};
 }
 
-// Neighbouring heights between which the solid angle passes a limit.
+// Neighbouring heights on both sides of a limit of the solid angle.
 struct Sides {
-  float more, less;  // by their solid angles
+  float more, less;  // the heights with the larger and the smaller solid angle
 };
 
 Sides sides_of(const Setting& setting, double limit, Sides sides) {
@@ -56,8 +57,8 @@ Sides sides_of(const Setting& setting, double limit, Sides sides) {
   }
 }
 
-// Calls `check` for many settings and the two sides of a limit: by height over the rectangle, and,
-// where that gives so small a solid angle, beside it by grazing sight.
+// Calls `check` for many settings and the two sides of a limit. The point is above the rectangle
+// or, where the solid angle is small enough there, beside it at a grazing angle.
 void for_sides(double limit, const std::function<void(const Setting&, const Sides&)>& check) {
   TestRandom random(1);
   for (int i = 0; i < 200; ++i) {
@@ -70,7 +71,7 @@ void for_sides(double limit, const std::function<void(const Setting&, const Side
   }
 }
 
-// Heights next to each other differ by 1e-7 of themselves at most, solid angles by as much.
+// Neighbouring heights, and their solid angles, differ by at most a relative 1e-7.
 TEST(SphericalLimits, SolidAnglesAreContinuous) {
   for (const double limit : {kFloatLow, kFloatHigh, kUsableLow, kUsableHigh})
     for_sides(limit, [&](const Setting& setting, const Sides& sides) {
@@ -80,8 +81,8 @@ TEST(SphericalLimits, SolidAnglesAreContinuous) {
     });
 }
 
-// Samples of a rectangle of about unit size. Where the solid angle is
-// large the last samples before the horizon lie far off for little of it.
+// The samples lie on a rectangle of about unit size. Where its solid angle is large, samples near
+// the horizon move far for a small change of it.
 TEST(SphericalLimits, SamplesAreContinuousWhereTheArithmeticChanges) {
   struct Tolerance {
     double limit, mean, worst;
@@ -104,9 +105,9 @@ TEST(SphericalLimits, SamplesAreContinuousWhereTheArithmeticChanges) {
   }
 }
 
-// The mean of 1 / pdf over all points of a light, uniform in area: of the density per solid angle
-// of such points it is the solid angle. Around the foot in polar coordinates, since from close by
-// all that counts lies there.
+// Returns the mean of 1 / pdf over points uniform in area. For the density of such points per solid
+// angle it is the solid angle. It is integrated in polar coordinates around the foot, because from
+// close by only the neighbourhood of the foot matters.
 double mean_inverse(const Setting& setting, float height, const std::function<double(Vec3)>& pdf) {
   const auto inverse = [&](double x, double y) { return 1 / pdf(Vec3(x, y, 0)); };
   const Rectangle& r = setting.rectangle;
@@ -117,7 +118,8 @@ double mean_inverse(const Setting& setting, float height, const std::function<do
   double sum = 0;
   for (int i = 0; i < 4; ++i) {
     const DVec2 a = corners[i], b = corners[(i + 1) % 4];
-    // The triangle of the foot and this edge; the distance from the foot is height * sinh(s).
+    // This is the triangle of the foot and one edge; the distance from the foot is height *
+    // sinh(s).
     sum += integrate(
         [&](double t) {
           const DVec2 edge = a + t * (b - a);
@@ -133,8 +135,8 @@ double mean_inverse(const Setting& setting, float height, const std::function<do
   return sum / area;
 }
 
-// Lights state one density for their samples on one side of the limit and another on the other.
-// Each is that of how they sample there, and both give the same solid angle, to 1e-4 of it.
+// Lights have different densities on the two sides of a limit. Each is the density of the samples
+// on its side, and both give the same solid angle with a relative error of at most 1e-4.
 TEST(SphericalLimits, LightsChangeToSamplingByAreaWithoutAStepOfTheSolidAngle) {
   for (const double limit : {kUsableLow, kUsableHigh})
     for_sides(limit, [&](const Setting& setting, const Sides& sides) {
@@ -162,7 +164,7 @@ TEST(SphericalLimits, LightsChangeToSamplingByAreaWithoutAStepOfTheSolidAngle) {
     });
 }
 
-// Solid angle of the part of the rectangle up to x, counted from the corner; closed form.
+// Returns the solid angle of the part of the rectangle up to x, from the corner, in closed form.
 double solid_angle_up_to(double x, const Rectangle& r, double height) {
   const auto corner = [&](long double u, long double v) {
     const long double h = height;
@@ -172,8 +174,8 @@ double solid_angle_up_to(double x, const Rectangle& r, double height) {
   return static_cast<double>(corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0));
 }
 
-// The strip of a uniform number u has the share u of the solid angle before it. In float, seen from
-// beside the rectangle and 1e-4 above its plane, it was off by .018 in the mean and .99 at worst.
+// The strip of a uniform number u has the fraction u of the solid angle before it. In float, for a
+// point beside the rectangle and 1e-4 above its plane, the mean error was .018 and the worst .99.
 TEST(SphericalLimits, StripsHaveTheirShareBeforeThemAlsoSeenByGrazingSight) {
   TestRandom random(4);
   for (const float height : {1.0f, 0.3f, 0.1f, 0.03f, 0.01f, 1e-3f, 1e-4f}) {
@@ -200,7 +202,7 @@ TEST(SphericalLimits, StripsHaveTheirShareBeforeThemAlsoSeenByGrazingSight) {
   }
 }
 
-// Over a light the two densities are nearly the same where the change is made because they are.
+// Above a light, the two densities are nearly the same at the lower limit.
 TEST(SphericalLimits, FarOverALightTheTwoDensitiesAreNearlyTheSame) {
   TestRandom random(3);
   for_sides(kUsableLow, [&](const Setting& setting, const Sides& sides) {

@@ -23,7 +23,7 @@ Rectangle rectangle_at(const Vec3& corner, const Vec3& normal, float width, floa
   return {corner, frame.x, frame.y, width, height};
 }
 
-// Closed form: the signed sum over the corners of atan(x y / (z r)), in long double.
+// Returns the closed form, the signed sum over the corners of atan(x y / (z r)), in long double.
 double reference(const Rectangle& r, const Vec3& from) {
   const LVec3 d = LVec3(r.corner) - LVec3(from);
   const long double x0 = dot(d, LVec3(r.x)), y0 = dot(d, LVec3(r.y));
@@ -35,8 +35,8 @@ double reference(const Rectangle& r, const Vec3& from) {
   return static_cast<double>(corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0));
 }
 
-// A rectangle of edges 0.01 .. 100 and a point at a height of 1e-3 .. 1e3 sizes over its plane,
-// above it or beside it by up to one size.
+// A rectangle with edges of 0.01 .. 100 and a point at a height of 1e-3 .. 1e3 sizes above its
+// plane, over the rectangle or up to one size beside it.
 struct Configuration {
   Rectangle rectangle;
   Vec3 from;
@@ -52,8 +52,8 @@ Configuration random_configuration(TestRandom& random, const Vec3& normal, bool 
   return {r, corner + x * r.x + y * r.y + above * normal};
 }
 
-// What the documentation promises. In float arithmetic it was 1e-6, which biased what is seen from
-// near a rectangle's plane.
+// The documented error holds. Float arithmetic had an error of 1e-6, which biased the estimates at
+// points near the plane of a rectangle.
 TEST(SphericalRectangle, SolidAngleIsTheClosedForm) {
   TestRandom random(1);
   double largest = 0, relative = 0;
@@ -89,8 +89,9 @@ TEST(SphericalTriangle, SolidAngleIsTheClosedForm) {
   std::printf("largest relative error %.2g\n", worst);
 }
 
-// Places of the observer relative to a rectangle of 2 by 1, corner at the origin, normal z: above
-// the middle, near, nearer, outside beside an edge, beside a corner, far, grazing, above a corner.
+// Points relative to a rectangle of 2 by 1 with its corner at the origin and the normal z: above
+// the middle, near, nearer, beside an edge, beside a corner, far, at a grazing angle, above a
+// corner.
 const Vec3 kPlaces[] = {{1, 0.5f, 1},        {1, 0.5f, 0.2f},    {1.3f, 0.4f, 0.05f},
                         {-0.5f, 0.5f, 0.3f}, {2.2f, 1.3f, 0.4f}, {3, -5, 7},
                         {4, 0.6f, 0.3f},     {0, 0, 0.5f}};
@@ -115,7 +116,7 @@ TEST(SphericalRectangle, SamplesAreUniformInSolidAngle) {
   }
 }
 
-// The plane in the eyes of the point is a hemisphere: azimuth and cosine of the directions not too
+// From close by, the rectangle covers nearly a hemisphere: azimuth and cosine of directions not too
 // close to the horizon are uniform. Samples lie on the rectangle.
 TEST(SphericalRectangle, SamplesFromCloseByAreUniformInSolidAngle) {
   constexpr std::size_t kBins = 8;
@@ -177,7 +178,7 @@ TEST(SphericalRectangle, ExtremesStayOnTheRectangle) {
   }
 }
 
-// Also from close to the plane, for all solid angles that lights sample.
+// This holds for points close to the plane too, for all solid angles that lights sample.
 TEST(SphericalTriangle, ExtremesStayOnTheTriangle) {
   TestRandom random(6);
   for (int i = 0; i < 20000; ++i) {

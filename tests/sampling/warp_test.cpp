@@ -9,15 +9,15 @@ namespace raytracing {
 namespace {
 
 constexpr int kSamples = 200000;
-const double kLevel = sidak_level(kFamilyLevel, 4);  // chi-square tests of this file
+const double kLevel = sidak_level(kFamilyLevel, 4);  // the number of chi-square tests in this file
 
-// The ends and the middle of [0, 1), and the numbers next to them.
+// Numbers at and next to the ends, the quarters and the middle of [0, 1).
 constexpr float kExtremes[] = {0.0f, 0x1p-24f, 0.25f,           0.5f - 0x1p-25f,
                                0.5f, 0.75f,    0.5f + 0x1p-24f, kOneMinus};
 
 double turn_of(double x, double y) { return std::atan2(y, x) / (2 * std::numbers::pi) + 0.5; }
 
-// Rings of equal area times sectors.
+// The cells are sectors of rings of equal area.
 TEST(Warp, DiskIsUniform) {
   TestRandom random(1);
   std::vector<double> counts(16 * 16);
@@ -28,7 +28,7 @@ TEST(Warp, DiskIsUniform) {
   EXPECT_GT(chi_square_uniform(counts).p_value, kLevel);
 }
 
-// Concentric: the square of radius r goes to the disk of radius r, halves stay halves.
+// The map is concentric: a square of radius r maps to a disk of radius r, and halves to halves.
 TEST(Warp, DiskKeepsRingsAndQuadrants) {
   TestRandom random(2);
   for (int i = 0; i < 10000; ++i) {
@@ -64,7 +64,7 @@ TEST(Warp, CosineHemisphereDensityIntegratesToOne) {
   EXPECT_EQ(cosine_hemisphere_pdf_w(-0.5f), 0);
 }
 
-// n^2 congruent triangles: cells of the weights, each cut by its diagonal.
+// The cells are n^2 congruent triangles: cells of the weights, split by their diagonals.
 TEST(Warp, TriangleIsUniform) {
   TestRandom random(4);
   const std::size_t n = 8;

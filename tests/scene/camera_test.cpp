@@ -10,7 +10,7 @@ namespace {
 
 const CameraDescription kOblique{{3.0f, 1.0f, -2.0f}, {-1.0f, 2.0f, 5.0f}, {0.1f, 1.0f, 0.2f}, 50};
 
-/// Coordinates of a direction in the camera's own frame.
+/// Returns the direction in the frame of the camera.
 struct View {
   explicit View(const CameraDescription& d)
       : forward(normalize(d.target - d.origin)),
@@ -53,7 +53,7 @@ TEST(Camera, MiddleOfThePictureIsTheTarget) {
   }
 }
 
-// The angle of view is that between the top and the bottom; pixels are square.
+// The field of view spans the height of the image; pixels are square.
 TEST(Camera, AngleOfViewIsVerticalAndPixelsAreSquare) {
   const View view(kOblique);
   for (const auto& [width, height] : {std::pair{40, 30}, {30, 40}, {64, 64}}) {

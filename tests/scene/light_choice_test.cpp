@@ -1,4 +1,4 @@
-// Lights are chosen by nine tenths of their share of the power and a tenth of an even share.
+// Lights are sampled by power with probability 0.9 and uniformly with probability 0.1.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace raytracing {
 namespace {
 
-// Square lights of these areas and of the same radiance, one apart.
+// Makes square lights of these areas and equal radiance, one unit apart.
 Scene scene_with(std::initializer_list<float> areas) {
   SceneMaker maker;
   const std::uint32_t light = maker.add_surface(Diffuse{Rgb(0.5f)}, Rgb(1.0f));
@@ -25,7 +25,7 @@ Scene scene_with(std::initializer_list<float> areas) {
   return maker.build();
 }
 
-TEST(LightChoice, ATenthFallsEvenlyOnAll) {
+TEST(LightChoice, ATenthIsUniform) {
   const Scene scene = scene_with({0.001f, 0.1f, 0.899f});
   ASSERT_EQ(scene.lights().size(), 3u);
   EXPECT_NEAR(scene.light_pmf(0), 0.9 * 0.001 + 0.1 / 3, 1e-6);
@@ -33,7 +33,7 @@ TEST(LightChoice, ATenthFallsEvenlyOnAll) {
   EXPECT_NEAR(scene.light_pmf(2), 0.9 * 0.899 + 0.1 / 3, 1e-6);
 }
 
-TEST(LightChoice, IsMadeWithTheProbabilityThatItTells) {
+TEST(LightChoice, FrequenciesEqualThePmf) {
   const Scene scene = scene_with({0.001f, 0.1f, 0.899f});
   constexpr int kChoices = 1 << 16;
   std::array<int, 3> counts{};

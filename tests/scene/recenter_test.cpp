@@ -38,7 +38,7 @@ TEST(Recenter, MovingIsExact) {
   }
 }
 
-// The floats about 1.5e6 lie 1/8 apart.
+// The spacing of floats near 1.5e6 is 1/8.
 TEST(Recenter, RoundingIsTheSpacingOverHalfTheSize) {
   TestRandom random(2);
   EXPECT_NEAR(find_recentering(scene_at({1.5e6f, 3, 0}, 10, random)).rounding, 0.0125f, 0.001f);

@@ -33,10 +33,10 @@ struct Vertex {
 
 /// Counts of the irregularities found while a scene was built.
 struct BuildNotes {
-  std::uint64_t split_lights = 0;  ///< emitting faces, not planar or convex, split into triangles
-  std::uint64_t zero_area_lights = 0;  ///< emitting triangles of zero area, dropped as lights
-  std::uint64_t lights_facing_nothing =
-      0;  ///< lights with no surface or camera on the emitting side
+  std::uint64_t split_lights = 0;      ///< emitting faces, not flat or convex, split into triangles
+  std::uint64_t zero_area_lights = 0;  ///< emitting triangles of zero area, which are no lights
+  /// Lights with neither a surface nor the camera on their emitting side.
+  std::uint64_t lights_facing_nothing = 0;
 };
 
 /// Lights are sampled from a defensive mixture (Hesterberg 1995): uniformly with this probability,
