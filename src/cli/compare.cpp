@@ -12,7 +12,7 @@
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/error_metrics.h"
 #include "raytracing/study/metrics/z_scores.h"
 

@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/io/nearest_name.h"
 
 namespace raytracing {
 namespace {

@@ -6,8 +6,7 @@
 
 #include "build_info.h"
 #include "raytracing/io/errors.h"
-#include "raytracing/io/image_file.h"
-#include "raytracing/io/nearest_name.h"
+#include "raytracing/io/image.h"
 #include "raytracing/render/pixel_groups.h"
 #include "raytracing/sampling/sampler.h"
 #include "raytracing/scene/camera.h"

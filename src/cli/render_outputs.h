@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "raytracing/render/film.h"
 #include "raytracing/render/provenance.h"
 

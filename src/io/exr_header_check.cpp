@@ -1,10 +1,9 @@
-#include "exr_header_check.h"
-
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 
+#include "image_codecs.h"
 #include "raytracing/io/errors.h"
 
 namespace raytracing {
@@ -28,7 +27,7 @@ constexpr FixedSize kFixedSizes[] = {{"box2i", 16},      {"box2f", 16},    {"chr
 
 [[noreturn]] void fail() { throw InputError("its header is cut off or contradicts itself"); }
 
-/// Takes one thing after the other from the front of the bytes.
+// Takes one item after the other from the front of the bytes.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {}
@@ -83,7 +82,7 @@ void check_exr_header_sizes(const std::string& bytes) {
   reader.take(kMagicAndVersion - sizeof(std::uint32_t));
   const bool several = (reader.word() & kMultiPartFlag) != 0;
   bool any = true;
-  while (any) {  // header after header; an empty one ends those of several parts
+  while (any) {  // an empty header ends those of a file of several parts
     any = false;
     while (!reader.name().empty()) {
       any = several;

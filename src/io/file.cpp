@@ -46,8 +46,8 @@ class Descriptor {
   int fd_;
 };
 
-// A target that could not be replaced is found out now, not after hours of rendering. Devices and
-// pipes are refused because the rename would put a file in their place.
+// Finds a target that cannot be replaced now, not after hours of rendering. Devices and pipes are
+// refused because the rename would replace them by a file.
 void check_target(const std::string& path) {
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0) {
@@ -72,28 +72,26 @@ std::string temporary_name(const std::string& path) {
 
 std::uint64_t load_little_endian(const char* bytes, std::size_t count) {
   std::uint64_t word = 0;
-  if constexpr (std::endian::native == std::endian::little) {
+  if constexpr (std::endian::native == std::endian::little)
     std::memcpy(&word, bytes, count);
-  } else {
-    for (std::size_t i = 0; i < count; ++i) {
+  else
+    for (std::size_t i = 0; i < count; ++i)
       word |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-    }
-  }
   return word;
 }
 
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
+  // Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) fail_input(path, reason(errno));
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) fail_input(path, reason(errno));
   if (S_ISDIR(info.st_mode)) fail_input(path, reason(EISDIR));
   if (!S_ISREG(info.st_mode)) fail_input(path, "not a regular file");
-  // One byte more than the size shows the end without another round; files that grow, and those
-  // of /proc that claim to be empty, go round until read() says that there is no more.
+  // One byte more than the size shows the end of the file at once; files that grow, and those of
+  // /proc that claim to be empty, are read until read() returns 0.
   std::string bytes(static_cast<std::size_t>(info.st_size) + 1, '\0');
   std::size_t used = 0;
   while (true) {
@@ -108,7 +106,7 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
-// MurmurHash64A (Appleby): each word is mixed by itself, then multiplied into the state.
+// MurmurHash64A by Appleby: each word is mixed by itself, then multiplied into the state.
 std::uint64_t hash_bytes(std::string_view bytes, std::uint64_t seed) {
   constexpr std::uint64_t kMultiplier = 0xc6a4a7935bd1e995u;
   constexpr int kShift = 47;
@@ -128,7 +126,7 @@ std::uint64_t hash_bytes(std::string_view bytes, std::uint64_t seed) {
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (std::filesystem::path(path_).filename().empty()) fail_output(path_, "not a file name");
   check_target(path_);
-  // A name is taken only if a process of the same id died here before; the next one will do.
+  // A name exists only if an earlier process of the same id was killed; the next one is free.
   for (int tries = 0; tries < 1000; ++tries) {
     std::string name = temporary_name(path_);
     const Descriptor file(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
@@ -138,7 +136,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     }
     if (errno != EEXIST) fail_output(path_, reason(errno));
   }
-  fail_output(path_, "too many temporary files left over beside it");
+  fail_output(path_, "too many temporary files in its folder");
 }
 
 OutputFile::~OutputFile() {
@@ -164,11 +162,10 @@ void OutputFile::write(std::string_view bytes) {
 void OutputFile::commit() {
   if (temporary_.empty()) fail_output(path_, "already complete");
   {
-    // Without this a crash of the machine may leave the new name with the old, or no, contents.
+    // Without fsync, a crash of the machine may leave the new name with old or no contents.
     Descriptor file(::open(temporary_.c_str(), O_WRONLY | O_CLOEXEC));
-    if (file.get() < 0 || ::fsync(file.get()) != 0 || file.close() != 0) {
+    if (file.get() < 0 || ::fsync(file.get()) != 0 || file.close() != 0)
       fail_output(path_, reason(errno));
-    }
   }
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail_output(path_, reason(errno));
   temporary_.clear();

@@ -1,22 +1,63 @@
 #include "model_loader.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <utility>
 
-#include "mtl_surface.h"
 #include "raytracing/io/file.h"
-#include "text_cursor.h"
 
 namespace raytracing {
 namespace {
 
-/// `name` as seen from the folder of the file `from`.
+// The path of `name` relative to the folder of the file `from`.
 std::string beside(const std::string& from, const std::string& name) {
   return (std::filesystem::path(from).parent_path() / name).lexically_normal().string();
 }
 
+// Sine and cosine, exact at multiples of 90 degrees, so that axis-aligned walls stay aligned.
+struct Angle {
+  explicit Angle(double degrees) {
+    const double quarters = std::nearbyint(degrees / 90);
+    const double rest = (degrees - 90 * quarters) * (3.14159265358979323846 / 180);
+    const double s = std::sin(rest), c = std::cos(rest);
+    const double turn = quarters - 4 * std::floor(quarters / 4);  // 0, 1, 2 or 3
+    sine = turn == 0 ? s : turn == 1 ? c : turn == 2 ? -s : -c;
+    cosine = turn == 0 ? c : turn == 1 ? -s : turn == 2 ? -c : s;
+  }
+  double sine, cosine;
+};
+
+DVec3 rotated(DVec3 v, const Angle& x, const Angle& y, const Angle& z) {
+  v = {v.x, x.cosine * v.y - x.sine * v.z, x.sine * v.y + x.cosine * v.z};
+  v = {y.cosine * v.x + y.sine * v.z, v.y, y.cosine * v.z - y.sine * v.x};
+  v = {z.cosine * v.x - z.sine * v.y, z.sine * v.x + z.cosine * v.y, v.z};
+  return v;
+}
+
 }  // namespace
+
+void apply(const Transform& transform, PolygonMesh& mesh) {
+  const Angle x(transform.rotate.x), y(transform.rotate.y), z(transform.rotate.z);
+  for (Vec3& position : mesh.positions) {
+    const DVec3 scaled = transform.scale * DVec3(position);
+    position = Vec3(rotated(scaled, x, y, z) + transform.translate);
+  }
+  for (Vec3& normal : mesh.normals) {
+    // The inverse transpose of rotation times scale is rotation times 1 / scale.
+    const DVec3 moved = rotated(DVec3(normal) / transform.scale, x, y, z);
+    const double norm = length(moved);
+    if (norm > 0) normal = Vec3(moved / norm);
+  }
+  const DVec3& s = transform.scale;
+  const int mirrors = (s.x < 0 ? 1 : 0) + (s.y < 0 ? 1 : 0) + (s.z < 0 ? 1 : 0);
+  if (mirrors % 2 == 0) return;
+  for (const PolygonMesh::Face& face : mesh.faces) {
+    const auto first = mesh.corners.begin() + static_cast<std::ptrdiff_t>(face.first_corner);
+    std::reverse(first, first + static_cast<std::ptrdiff_t>(face.corner_count));
+  }
+}
 
 void ModelLoader::load(std::span<const ModelRequest> requests) {
   for (const ModelRequest& request : requests) ++uses_[request.path];
@@ -28,15 +69,12 @@ void ModelLoader::load(const ModelRequest& request) {
   const bool last = --source.uses_left == 0;
   PolygonMesh mesh = last ? std::move(source.obj.mesh) : source.obj.mesh;
   apply(request.transform, mesh);
-  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite<float>)) {
+  if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), is_finite<float>))
     throw InputError(request.where, "the transform moves vertices beyond the range of a float");
-  }
-  if (!request.surface && !source.surfaces) {
+  if (!request.surface && !source.surfaces)
     source.surfaces = resolve_materials(source.obj, request.path);
-  }
-  for (PolygonMesh::Face& face : mesh.faces) {
+  for (PolygonMesh::Face& face : mesh.faces)
     face.material = request.surface ? *request.surface : source.surfaces->at(face.material);
-  }
   file_.scene.meshes.push_back(std::move(mesh));
 }
 
@@ -57,7 +95,7 @@ ModelLoader::Model& ModelLoader::model(const ModelRequest& request) {
     throw InputError(request.where, error.what());
   }
   ObjModel obj = parse_obj(text, request.path, report_);
-  drop_unused_positions(obj.mesh);  // they would count to the scene's bounds and its rounding
+  drop_unused_positions(obj.mesh);  // they would enlarge the bounds of the scene and its rounding
   Model made{std::move(obj), {}, uses_[request.path]};
   return models_.emplace(request.path, std::move(made)).first->second;
 }
@@ -78,21 +116,20 @@ std::vector<std::uint32_t> ModelLoader::resolve_materials(const ObjModel& obj,
     if (Library* found = library(beside(obj_path, named.name))) {
       libraries.push_back(found);
     } else {
-      report_.add(LoadReport::Severity::repaired, "material library missing", named.where, 1,
+      report_.add(LoadReport::Severity::repaired, "material library missing", named.where,
                   raytracing::quoted(named.name));
     }
   }
   std::vector<std::uint32_t> surfaces;
-  for (const ObjModel::MaterialUse& use : obj.materials) {
+  for (const ObjModel::MaterialUse& use : obj.materials)
     surfaces.push_back(resolve_material(use, libraries));
-  }
   return surfaces;
 }
 
 std::uint32_t ModelLoader::resolve_material(const ObjModel::MaterialUse& use,
                                             const std::vector<Library*>& libraries) {
   if (use.name.empty()) return default_surface();
-  for (Library* library : libraries) {  // the first definition counts
+  for (Library* library : libraries) {  // the first definition is used
     const auto known = library->surfaces.find(use.name);
     if (known != library->surfaces.end()) return known->second;
     for (const MtlMaterial& material : library->materials) {
@@ -102,7 +139,7 @@ std::uint32_t ModelLoader::resolve_material(const ObjModel::MaterialUse& use,
       return surface;
     }
   }
-  report_.add(LoadReport::Severity::repaired, "material not defined", use.where, 1,
+  report_.add(LoadReport::Severity::repaired, "material not defined", use.where,
               raytracing::quoted(use.name));
   return default_surface();
 }

@@ -7,19 +7,31 @@
 #include <string>
 #include <vector>
 
+#include "raytracing/geometry/polygon_mesh.h"
 #include "raytracing/io/mtl.h"
 #include "raytracing/io/obj.h"
 #include "raytracing/io/scene_file.h"
-#include "transform.h"
 
 namespace raytracing {
 
-/// One model that a scene file asks for.
+/// Scales a model, then rotates it, then translates it.
+struct Transform {
+  DVec3 scale{1.0};   ///< along x, y, z; none zero
+  DVec3 rotate{0.0};  ///< degrees about x, then y, then z; right-handed
+  DVec3 translate{0.0};
+};
+
+/// Moves a mesh. Normals follow the inverse transpose and become unit vectors. A transform that
+/// mirrors reverses the corners of each face, so that winding and normals still agree. Computed in
+/// double and rounded once. A coordinate beyond the range of a float becomes infinite.
+void apply(const Transform& transform, PolygonMesh& mesh);
+
+/// A model that a scene file asks for.
 struct ModelRequest {
-  std::string path;    ///< of the OBJ file
-  TextLocation where;  ///< where the scene file names it
+  std::string path;    ///< path of the OBJ file
+  TextLocation where;  ///< location of the path in the scene file
   Transform transform;
-  std::optional<std::uint32_t> surface;  ///< takes the place of all its materials
+  std::optional<std::uint32_t> surface;  ///< replaces all materials of the model
 };
 
 /// Adds models to a scene file: meshes, surfaces, and the names and hash of the files read. Reads
@@ -40,13 +52,13 @@ class ModelLoader {
   };
   struct Library {
     std::vector<MtlMaterial> materials;
-    std::map<std::string, std::uint32_t> surfaces;  ///< of the materials used so far, by name
+    std::map<std::string, std::uint32_t> surfaces;  ///< surfaces of the materials used so far
   };
 
   void load(const ModelRequest& request);
   std::string read_asset(const std::string& path);
   Model& model(const ModelRequest& request);
-  /// Null when there is no such file.
+  /// Returns null if there is no such file.
   Library* library(const std::string& path);
   std::vector<std::uint32_t> resolve_materials(const ObjModel& obj, const std::string& obj_path);
   std::uint32_t resolve_material(const ObjModel::MaterialUse& use,
@@ -56,7 +68,7 @@ class ModelLoader {
 
   SceneFile& file_;
   LoadReport& report_;
-  std::map<std::string, std::size_t> uses_;  // of each OBJ file
+  std::map<std::string, std::size_t> uses_;  // how many models use each OBJ file
   std::map<std::string, Model> models_;
   std::map<std::string, Library> libraries_;
   std::optional<std::uint32_t> default_surface_;

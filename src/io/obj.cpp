@@ -5,8 +5,6 @@
 #include <unordered_map>
 
 #include "obj_mesh_builder.h"
-#include "raytracing/io/file.h"
-#include "tally.h"
 #include "text_cursor.h"
 
 namespace raytracing {
@@ -15,26 +13,27 @@ namespace {
 using Severity = LoadReport::Severity;
 constexpr int kMostUnknownKeywords = 20;
 
-// One kind of thing that faces refer to by number.
+// The vertices, texture coordinates or normals, which faces refer to by number.
 struct Pool {
   const char* noun;
-  std::int64_t count = 0;          // stated so far
-  std::int64_t highest = 0;        // highest number used; may be stated later in the file
+  std::int64_t count = 0;          // defined so far
+  std::int64_t highest = 0;        // highest number used; it may be defined later in the file
   std::int64_t limit = INT64_MAX;  // highest number allowed, once the whole file is known
 };
 
 class ObjParser {
  public:
-  ObjParser(std::string_view text, const std::string& file) : text_(text), cursor_(text, file) {}
+  ObjParser(std::string_view text, const std::string& file, LoadReport& report)
+      : text_(text), report_(report), cursor_(text, file) {}
 
-  // Parses everything but leaves numbers that are too high to the caller.
+  // Parses the text but does not check whether numbers are too high.
   void run();
-  // True when every number used is stated somewhere in the file.
+  // True if every number used is defined somewhere in the file.
   bool complete() const;
-  // Parses again with the counts of `other` as limits: throws at the first number beyond them.
+  // Parses with the counts of `other` as limits: throws at the first number beyond them.
   void rerun_within(const ObjParser& other);
 
-  ObjModel take(LoadReport& report);
+  ObjModel take();
 
  private:
   void record();
@@ -46,16 +45,19 @@ class ObjParser {
   void use_material(const TextPlace& where);
   std::uint32_t find_material(const std::string& name, const TextPlace& where);
   void libraries(const TextPlace& where);
+  void note(Severity severity, std::string_view kind, const TextPlace& where) {
+    report_.add(severity, kind, cursor_.file(), where);
+  }
   void ignore(const TextPlace& where, std::string_view kind) {
-    tally_.note(Severity::ignored, kind, where);
+    note(Severity::ignored, kind, where);
     cursor_.skip_record();
   }
 
   std::string_view text_;
+  LoadReport& report_;
   TextCursor cursor_;
   ObjModel model_;
-  Tally tally_;
-  ObjMeshBuilder builder_{tally_};
+  ObjMeshBuilder builder_{cursor_.file(), report_};
   Pool vertices_{"vertex"}, textures_{"texture coordinate"}, normals_{"normal"};
   std::unordered_map<std::string, std::uint32_t> material_numbers_;
   std::uint32_t material_ = kNone;  // kNone: not chosen yet
@@ -78,9 +80,8 @@ void ObjParser::rerun_within(const ObjParser& other) {
   while (!cursor_.at_end()) record();
 }
 
-ObjModel ObjParser::take(LoadReport& report) {
+ObjModel ObjParser::take() {
   model_.mesh = builder_.finish();
-  tally_.flush(cursor_.file(), report);
   return std::move(model_);
 }
 
@@ -88,7 +89,7 @@ void ObjParser::record() {
   cursor_.skip_blanks();
   if (cursor_.at_record_end()) return cursor_.finish_record();
   const TextPlace where = cursor_.place();
-  // Most records, without a look for the keyword's end.
+  // The most frequent records, without a search for the end of the keyword.
   if (cursor_.accept_keyword('f')) return face(where);
   if (cursor_.accept_keyword('v')) return vertex(where);
   if (cursor_.accept_keyword('v', 'n')) return vertex_normal(where);
@@ -106,11 +107,11 @@ void ObjParser::record() {
   if (keyword == "l") return ignore(where, "line");
   if (keyword == "p") return ignore(where, "point");
   if (keyword == "vp") return ignore(where, "parameter-space vertex");
-  tally_.note_keyword("unknown keyword", keyword, where, kMostUnknownKeywords);
+  report_.add_keyword("unknown keyword", keyword, cursor_.file(), where, kMostUnknownKeywords);
   cursor_.skip_record();
 }
 
-// x y z, and then nothing, a weight w, a colour r g b or r g b a.
+// Reads x y z and, if present, a weight w, a colour r g b or a colour r g b a.
 void ObjParser::vertex(const TextPlace& where) {
   const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
   if (vertices_.count >= kNone) cursor_.fail(where, "too many vertices");
@@ -125,9 +126,9 @@ void ObjParser::vertex(const TextPlace& where) {
       cursor_.number("blue");
       cursor_.skip_blanks();
       if (!cursor_.at_record_end()) cursor_.number("alpha");
-      tally_.note(Severity::ignored, "vertex colour", where);
+      note(Severity::ignored, "vertex colour", where);
     } else if (w != 1) {
-      tally_.note(Severity::ignored, "vertex weight", where);
+      note(Severity::ignored, "vertex weight", where);
     }
   }
   cursor_.finish_record();
@@ -141,7 +142,8 @@ void ObjParser::vertex_normal(const TextPlace& where) {
   ++normals_.count;
 }
 
-// Reads a number from 1, or counted back from the last one stated; kNone stands for 0.
+// Reads an index, which counts from 1, or backwards from the last record if it is negative. Returns
+// it counted from 0; kNone for 0.
 std::uint32_t ObjParser::index(Pool& pool) {
   const TextPlace where = cursor_.place();
   std::int64_t number;
@@ -160,18 +162,17 @@ std::uint32_t ObjParser::index(Pool& pool) {
   if (number == 0) return kNone;
   if (number < -pool.count) {
     cursor_.fail(where, std::string(pool.noun) + " index " + std::to_string(number) +
-                            " is out of range; " + std::to_string(pool.count) + " stand before it");
+                            " is out of range; only " + std::to_string(pool.count) + " precede it");
   }
   return static_cast<std::uint32_t>(pool.count + number);
 }
 
-// v, v/vt, v//vn or v/vt/vn, where vt and vn may be empty or 0.
+// Reads v, v/vt, v//vn or v/vt/vn, where vt and vn may be empty or 0.
 PolygonMesh::Corner ObjParser::corner() {
   const TextPlace where = cursor_.place();
   PolygonMesh::Corner corner{index(vertices_)};
-  if (corner.position == kNone) {
-    cursor_.fail(where, "vertex index 0; the first vertex is number 1");
-  }
+  if (corner.position == kNone)
+    cursor_.fail(where, "vertex index 0 is invalid; the first vertex has index 1");
   if (cursor_.accept('/')) {
     bool more = cursor_.accept('/');
     if (!more && !cursor_.at_separator()) {
@@ -189,9 +190,8 @@ PolygonMesh::Corner ObjParser::corner() {
 
 void ObjParser::face(const TextPlace& where) {
   std::size_t count = 0;
-  for (cursor_.skip_blanks(); !cursor_.at_record_end(); cursor_.skip_blanks(), ++count) {
+  for (cursor_.skip_blanks(); !cursor_.at_record_end(); cursor_.skip_blanks(), ++count)
     builder_.add_corner(corner());
-  }
   if (count < 3) {
     cursor_.fail(cursor_.place(), "truncated record: a face needs at least 3 corners, found " +
                                       std::to_string(count));
@@ -204,7 +204,7 @@ void ObjParser::face(const TextPlace& where) {
 
 void ObjParser::use_material(const TextPlace& where) {
   const std::string name = cursor_.name();
-  if (name.empty()) tally_.note(Severity::warning, "usemtl without a name", where);
+  if (name.empty()) note(Severity::warning, "usemtl without a name", where);
   cursor_.finish_record();
   material_ = find_material(name, where);
 }
@@ -224,7 +224,8 @@ bool ends_in_mtl(std::string_view name) {
   });
 }
 
-// Several names that all end in .mtl are several libraries; anything else is one name with spaces.
+// Takes several names that all end in .mtl for several libraries, anything else for one name that
+// may contain spaces.
 void ObjParser::libraries(const TextPlace& keyword) {
   cursor_.skip_blanks();
   const TextPlace where = cursor_.place();
@@ -242,7 +243,7 @@ void ObjParser::libraries(const TextPlace& keyword) {
   const std::string whole = cursor_.name();
   cursor_.finish_record();
   if (several.empty() && !whole.empty()) several.push_back({whole, cursor_.location(where)});
-  if (several.empty()) tally_.note(Severity::warning, "mtllib without a name", keyword);
+  if (several.empty()) note(Severity::warning, "mtllib without a name", keyword);
   auto& all = model_.libraries;
   all.insert(all.end(), several.begin(), several.end());
 }
@@ -250,14 +251,13 @@ void ObjParser::libraries(const TextPlace& keyword) {
 }  // namespace
 
 ObjModel parse_obj(std::string_view text, const std::string& file, LoadReport& report) {
-  ObjParser parser(text, file);
+  ObjParser parser(text, file, report);
   parser.run();
-  if (!parser.complete()) ObjParser(text, file).rerun_within(parser);
-  return parser.take(report);
-}
-
-ObjModel load_obj(const std::string& path, LoadReport& report) {
-  return parse_obj(read_file(path), path, report);
+  if (!parser.complete()) {
+    LoadReport unused;
+    ObjParser(text, file, unused).rerun_within(parser);
+  }
+  return parser.take();
 }
 
 }  // namespace raytracing

@@ -16,9 +16,9 @@ struct RecordCounts {
   std::size_t words = 0;  // behind keywords
 };
 
-// A quick look over the text, so that each array is allocated once. Files with odd layout are
-// counted wrong, which costs address space or time but nothing else. The blocks are short enough
-// for sums in bytes, with which compilers vectorize the loop.
+// Counts roughly and fast, so that each array is allocated once. Wrong counts, for files with an
+// odd layout, cost address space or time but nothing else. The blocks are short enough for sums in
+// bytes, which let compilers vectorize the loop.
 RecordCounts count_records(std::string_view text) {
   constexpr std::size_t kBlock = 224;
   const auto count = [](std::uint8_t& sum, bool one) {
@@ -53,7 +53,7 @@ RecordCounts count_records(std::string_view text) {
 void ObjMeshBuilder::reserve_for(std::string_view text) {
   const RecordCounts counts = count_records(text);
   const std::size_t others = 3 * counts.positions + 3 * counts.normals + 2 * counts.textures;
-  // One more each, since the first line has no line end before it.
+  // One more each, since no line end precedes the first line.
   mesh_.positions.reserve(counts.positions + 1);
   mesh_.normals.reserve(counts.normals + 1);
   mesh_.faces.reserve(counts.faces + 1);
@@ -63,7 +63,7 @@ void ObjMeshBuilder::reserve_for(std::string_view text) {
 void ObjMeshBuilder::add_normal(Vec3 normal, const TextPlace& where) {
   const float squared = dot(normal, normal);
   if (normal == Vec3(0.0f)) {
-    tally_.note(Severity::repaired, "normal of length zero", where);
+    report_.add(Severity::repaired, "normal of length zero", file_, where);
     has_zero_normals_ = true;
   } else if (!(squared >= FLT_MIN && squared <= FLT_MAX)) {
     normal /= max_component(absolute(normal));  // or normalizing it would give 0 or NaN
@@ -77,17 +77,16 @@ void ObjMeshBuilder::end_face(std::uint32_t material, const TextPlace& where) {
   const std::size_t count = mesh_.corners.size() - first_corner_;
   const bool late = is_late();
   const char* fault = nullptr;
-  if (count < 3) {
+  if (count < 3)
     fault = "face with fewer than 3 different corners";
-  } else if (!late && !has_area(first_corner_, count)) {
+  else if (!late && !has_area(first_corner_, count))
     fault = "face without area";
-  }
   if (fault) {
     mesh_.corners.resize(first_corner_, {});
-    tally_.note(Severity::dropped, fault, where);
+    report_.add(Severity::dropped, fault, file_, where);
     return;
   }
-  if (repeated) tally_.note(Severity::repaired, "face with a repeated corner", where);
+  if (repeated) report_.add(Severity::repaired, "face with a repeated corner", file_, where);
   if (late) late_faces_.push_back({static_cast<std::uint32_t>(mesh_.faces.size()), where});
   add_face(material);
 }
@@ -99,14 +98,14 @@ void ObjMeshBuilder::add_face(std::uint32_t material) {
   first_corner_ = mesh_.corners.size();
 }
 
-// Whether the face is a triangle of stated vertices that has area for certain: of which a component
-// of the cross product exceeds what rounding to double may leave of nothing.
+// Whether the face is a triangle of known vertices whose area is certainly not zero: a component of
+// its cross product exceeds the rounding error of zero in double precision.
 bool ObjMeshBuilder::is_plain_triangle() const {
   if (mesh_.corners.size() != first_corner_ + 3) return false;
   const PolygonMesh::Corner* const corners = &mesh_.corners[first_corner_];
-  const std::size_t stated = mesh_.positions.size();
+  const std::size_t known = mesh_.positions.size();
   for (int i = 0; i < 3; ++i)
-    if (corners[i].position >= stated) return false;
+    if (corners[i].position >= known) return false;
   const DVec3 a(mesh_.positions[corners[0].position]);
   const DVec3 u = DVec3(mesh_.positions[corners[1].position]) - a;
   const DVec3 v = DVec3(mesh_.positions[corners[2].position]) - a;
@@ -117,15 +116,14 @@ bool ObjMeshBuilder::is_plain_triangle() const {
          differ(u.x * v.y, u.y * v.x);
 }
 
-// Leaves one of each run of corners at the same vertex; the last corner stands before the first.
+// Keeps one of each run of corners at the same vertex, where the first corner follows the last.
 bool ObjMeshBuilder::remove_repeated_corners() {
   auto& corners = mesh_.corners;
   const std::size_t before = corners.size();
   const auto same = [](const auto& a, const auto& b) { return a.position == b.position; };
   corners.erase(std::unique(corners.begin() + first_corner_, corners.end(), same), corners.end());
-  while (corners.size() > first_corner_ + 1 && same(corners.back(), corners[first_corner_])) {
+  while (corners.size() > first_corner_ + 1 && same(corners.back(), corners[first_corner_]))
     corners.pop_back();
-  }
   return corners.size() < before;
 }
 
@@ -136,9 +134,8 @@ bool ObjMeshBuilder::is_late() const {
 
 bool ObjMeshBuilder::has_area(std::size_t first, std::size_t count) {
   outline_.clear();
-  for (std::size_t i = first; i < first + count; ++i) {
+  for (std::size_t i = first; i < first + count; ++i)
     outline_.push_back(mesh_.positions[mesh_.corners[i].position]);
-  }
   return newell_normal(outline_) != DVec3(0.0);
 }
 
@@ -157,7 +154,7 @@ void ObjMeshBuilder::drop_late_faces() {
     if (late != late_faces_.end() && late->face == i) {
       const TextPlace where = (late++)->where;
       if (!has_area(face.first_corner, face.corner_count)) {
-        tally_.note(Severity::dropped, "face without area", where);
+        report_.add(Severity::dropped, "face without area", file_, where);
         continue;
       }
     }
@@ -172,9 +169,8 @@ void ObjMeshBuilder::drop_late_faces() {
 }
 
 void ObjMeshBuilder::forget_zero_normals() {
-  for (PolygonMesh::Corner& corner : mesh_.corners) {
+  for (PolygonMesh::Corner& corner : mesh_.corners)
     if (corner.normal != kNone && mesh_.normals[corner.normal] == Vec3(0.0f)) corner.normal = kNone;
-  }
 }
 
 }  // namespace raytracing

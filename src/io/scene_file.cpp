@@ -8,10 +8,9 @@
 
 #include "model_loader.h"
 #include "raytracing/io/file.h"
-#include "raytracing/io/nearest_name.h"
 #include "raytracing/sampling/sampler.h"
 #include "raytracing/scene/camera.h"
-#include "toml_reader.h"
+#include "toml.h"
 
 namespace raytracing {
 namespace {
@@ -24,7 +23,7 @@ const TomlKeys kMaterialKeys{{"type"}, {"reflectance", "roughness", "fresnel", "
 const TomlKeys kModelKeys{{"obj"}, {"scale", "rotate", "translate", "material"}};
 const TomlKeys kSphereKeys{{"center", "radius", "material"}, {}};
 
-/// Named materials' indices into SceneDescription::surfaces.
+// Indices into SceneDescription::surfaces by the names of materials.
 using SurfaceIndices = std::map<std::string, std::uint32_t>;
 
 void read_film(const TomlTable& film, SceneFile& file) {
@@ -36,7 +35,8 @@ void read_film(const TomlTable& film, SceneFile& file) {
 }
 
 CameraDescription read_camera(const TomlTable& table) {
-  constexpr double kSmallestSine = 1e-6;  // between up and the view: below, rounding decides
+  // Below this sine of the angle between up and the view, rounding decides the orientation.
+  constexpr double kSmallestSine = 1e-6;
   CameraDescription camera;
   const DVec3 origin = *table.vec3("origin");
   const DVec3 target = *table.vec3("target");
@@ -51,13 +51,13 @@ CameraDescription read_camera(const TomlTable& table) {
                       "up must be neither zero nor parallel to the view from origin to target");
   }
   camera.vertical_fov = static_cast<float>(table.number("fov").value_or(camera.vertical_fov));
-  if (!(camera.vertical_fov > 0 && camera.vertical_fov < 180)) {
+  if (!(camera.vertical_fov > 0 && camera.vertical_fov < 180))
     throw table.error("fov", "must be an angle in degrees between 0 and 180, both excluded");
-  }
   return camera;
 }
 
-// Far coordinates, short views and narrow angles leave the range of a float on the way to a ray.
+// Far coordinates, short views and narrow angles may overflow or underflow a float in the
+// computation of camera rays.
 void check_camera(const CameraDescription& description, int width, int height,
                   const TomlTable& table) {
   const Camera camera(description, width, height);
@@ -65,7 +65,7 @@ void check_camera(const CameraDescription& description, int width, int height,
     const float squared =
         dot(camera.ray(corner.x, corner.y).direction, camera.ray(corner.x, corner.y).direction);
     if (!(squared > 0.99f && squared < 1.01f))
-      throw table.error("target", "no camera rays can be computed from these numbers");
+      throw table.error("target", "these numbers are too extreme to compute camera rays");
   }
 }
 
@@ -78,18 +78,15 @@ void read_render(const TomlTable& render, const std::vector<std::string>& light_
 
 Rgb read_reflectance(const TomlTable& table, const Rgb& otherwise) {
   const Rgb value(table.number_or_vec3("reflectance").value_or(DVec3(otherwise)));
-  for (int i = 0; i < 3; ++i) {
-    if (!(value[i] >= 0 && value[i] <= 1)) {
+  for (int i = 0; i < 3; ++i)
+    if (!(value[i] >= 0 && value[i] <= 1))
       throw table.error("reflectance", "each component must be in [0,1]");
-    }
-  }
   return value;
 }
 
 Diffuse read_diffuse(const TomlTable& table) {
-  for (const char* key : {"roughness", "fresnel"}) {
+  for (const char* key : {"roughness", "fresnel"})
     if (table.has(key)) throw table.error(key, "needs type = \"ggx\"");
-  }
   return {read_reflectance(table, Diffuse{}.reflectance)};
 }
 
@@ -98,9 +95,8 @@ GgxConductor read_ggx(const TomlTable& table) {
   ggx.reflectance = read_reflectance(table, ggx.reflectance);
   if (const std::optional<double> roughness = table.number("roughness")) {
     ggx.alpha = static_cast<float>(*roughness * *roughness);
-    if (!(*roughness > 0 && *roughness <= 1 && ggx.alpha > 0)) {
+    if (!(*roughness > 0 && *roughness <= 1 && ggx.alpha > 0))
       throw table.error("roughness", "must be in (0,1]");
-    }
   }
   const std::string fresnel = table.one_of("fresnel", {"none", "schlick"}).value_or("none");
   ggx.fresnel = fresnel == "schlick" ? Fresnel::schlick : Fresnel::none;
@@ -110,15 +106,13 @@ GgxConductor read_ggx(const TomlTable& table) {
 Surface read_surface(const std::string& name, const TomlTable& table) {
   Surface surface;
   surface.name = name;
-  if (*table.one_of("type", {"diffuse", "ggx"}) == "ggx") {
+  if (*table.one_of("type", {"diffuse", "ggx"}) == "ggx")
     surface.material = read_ggx(table);
-  } else {
+  else
     surface.material = read_diffuse(table);
-  }
   surface.Le = Rgb(table.number_or_vec3("emission").value_or(DVec3(0.0)));
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     if (surface.Le[i] < 0) throw table.error("emission", "no component may be negative");
-  }
   return surface;
 }
 
@@ -128,7 +122,7 @@ std::uint32_t find_surface(const TomlTable& table, const SurfaceIndices& surface
   if (found != surfaces.end()) return found->second;
   std::vector<std::string> names;
   for (const auto& surface : surfaces) names.push_back(surface.first);
-  throw table.error("material", fmt::format("[materials.{}] is not there", name) +
+  throw table.error("material", fmt::format("[materials.{}] is not defined", name) +
                                     (names.empty() ? ""
                                                    : fmt::format("; the nearest is [materials.{}]",
                                                                  nearest_name(name, names))));
@@ -142,9 +136,8 @@ ModelRequest read_model(const TomlTable& table, const std::string& scene_path,
   request.where = table.where("obj");
   Transform& transform = request.transform;
   transform.scale = table.number_or_vec3("scale").value_or(transform.scale);
-  if (transform.scale.x == 0 || transform.scale.y == 0 || transform.scale.z == 0) {
+  if (transform.scale.x == 0 || transform.scale.y == 0 || transform.scale.z == 0)
     throw table.error("scale", "no component may be zero");
-  }
   transform.rotate = table.vec3("rotate").value_or(transform.rotate);
   transform.translate = table.vec3("translate").value_or(transform.translate);
   if (table.has("material")) request.surface = find_surface(table, surfaces);
@@ -158,9 +151,8 @@ SphereDescription read_sphere(const TomlTable& table, const SurfaceIndices& surf
   sphere.radius = static_cast<float>(*table.number("radius"));
   if (!(sphere.radius > 0)) throw table.error("radius", "must be positive");
   sphere.surface = find_surface(table, surfaces);
-  if (!is_black(scene.surfaces[sphere.surface].Le)) {
+  if (!is_black(scene.surfaces[sphere.surface].Le))
     throw table.error("material", "a sphere must not emit; lights are polygons");
-  }
   return sphere;
 }
 
@@ -177,21 +169,18 @@ SceneFile parse_scene(std::string_view text, const std::string& path,
   const TomlTable camera = *root.table("camera", kCameraKeys);
   file.scene.camera = read_camera(camera);
   check_camera(file.scene.camera, file.width, file.height, camera);
-  if (const auto render = root.table("render", kRenderKeys)) {
+  if (const auto render = root.table("render", kRenderKeys))
     read_render(*render, light_sampling_names, file);
-  }
   SurfaceIndices surfaces;
   for (const auto& [name, table] : root.named_tables("materials", kMaterialKeys)) {
     surfaces.emplace(name, static_cast<std::uint32_t>(file.scene.surfaces.size()));
     file.scene.surfaces.push_back(read_surface(name, table));
   }
-  for (const TomlTable& table : root.tables("spheres", kSphereKeys)) {
+  for (const TomlTable& table : root.tables("spheres", kSphereKeys))
     file.scene.spheres.push_back(read_sphere(table, surfaces, file.scene));
-  }
   std::vector<ModelRequest> requests;  // the scene file's own errors come before its assets'
-  for (const TomlTable& table : root.tables("models", kModelKeys)) {
+  for (const TomlTable& table : root.tables("models", kModelKeys))
     requests.push_back(read_model(table, path, surfaces));
-  }
   ModelLoader(file, report).load(requests);
   return file;
 }

@@ -1,27 +1,31 @@
 #include "text_cursor.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
 namespace raytracing {
 
-std::string quoted(std::string_view bytes) {
-  constexpr std::size_t kLongest = 40;
-  constexpr char kHex[] = "0123456789abcdef";
-  std::string text = "'";
-  for (const char c : bytes.substr(0, kLongest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7f) {
-      text += c;
-    } else {
-      text += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
-    }
+ParsedNumber round_slowly(const char* digits, const char* end, bool negative, long exponent) {
+  float value = 0;
+  const auto [stop, error] = std::from_chars(digits, end, value);
+  if (error == std::errc::result_out_of_range || std::isinf(value)) {
+    // from_chars does not distinguish overflow from underflow: find the decimal magnitude.
+    const char* const point = std::find_if_not(digits, end, is_digit);
+    const char* const first =
+        std::find_if(digits, end, [](char c) { return c >= '1' && c <= '9'; });
+    const long magnitude = exponent + static_cast<long>(point - first);
+    if (magnitude > 0) return {end, 0, NumberStatus::too_large};
+    value = 0;
   }
-  return text + (bytes.size() > kLongest ? "...'" : "'");
+  return {end, negative ? -value : value, NumberStatus::ok};
 }
 
 TextCursor::TextCursor(std::string_view text, const std::string& file)
     : at_(text.data()), end_(text.data() + text.size()), line_start_(text.data()), file_(&file) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
     fail({1, 1}, "UTF-16 text is not supported");
-  }
   if (text.starts_with("\xef\xbb\xbf")) line_start_ = at_ += 3;
 }
 
@@ -49,11 +53,10 @@ std::string TextCursor::name() {
 void TextCursor::skip_record() {
   while (at_ != end_ && !is_line_end(*at_)) {
     if (*at_ == '#') return finish_record();
-    if (at_continuation()) {
+    if (at_continuation())
       skip_blanks();
-    } else {
+    else
       ++at_;
-    }
   }
   skip_line_end();
 }
@@ -76,9 +79,8 @@ void TextCursor::bad_number(const char* start, const char* what) {
   const std::string expected = std::string("expected ") + what;
   if (at_record_end()) fail(where, "truncated record: " + expected);
   const std::string_view found = token();
-  if (found.find(',') != std::string_view::npos) {
-    fail(where, expected + ", found " + quoted(found) + "; decimals are written with a point");
-  }
+  if (found.find(',') != std::string_view::npos)
+    fail(where, expected + ", found " + quoted(found) + "; use a point as the decimal mark");
   if (too_large) fail(where, expected + ", found " + quoted(found) + ", too large for a float");
   fail(where, expected + ", found " + quoted(found));
 }

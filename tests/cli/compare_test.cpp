@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <sstream>
 
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
 #include "support/compare_folder.h"

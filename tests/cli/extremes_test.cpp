@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "raytracing/integrator/direct_method.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "support/cli_folder.h"
 
 namespace raytracing {

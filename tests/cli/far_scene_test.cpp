@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "raytracing/integrator/direct_method.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "support/cli_folder.h"
 
 namespace raytracing {

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <random>
 
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "support/cli_folder.h"
 
 namespace raytracing {

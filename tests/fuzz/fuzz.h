@@ -1,6 +1,6 @@
 #pragma once
-// What the fuzzers share. A property that does not hold ends the process, which libFuzzer takes as
-// a finding and keeps the input.
+// Checks that the fuzzers share. A property that does not hold aborts the process, which libFuzzer
+// records as a finding with its input.
 
 #include <cctype>
 #include <cstddef>
@@ -30,14 +30,14 @@ inline bool takes_number(std::string_view& text) {
   return number;
 }
 
-/// One line, not long.
+/// Requires a short message of one line.
 inline void check_one_line(std::string_view what) {
   require(what.size() < 2000, "a message is short", what.substr(0, 200));
   for (const char c : what)
     require(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f, "a message is one line", what);
 }
 
-/// The same, beginning with "file:" and, where asked, going on with "line:column:".
+/// Requires also that it begins with "file:" and, if `with_place`, continues with "line:column:".
 inline void check_message(std::string_view what, std::string_view file, bool with_place) {
   check_one_line(what);
   require(what.starts_with(file) && what.substr(file.size()).starts_with(":"),
@@ -48,7 +48,7 @@ inline void check_message(std::string_view what, std::string_view file, bool wit
   require(what.size() > 2, "a message says something", what);
 }
 
-/// Every entry counts something, has a name of one line and lies within the text's lines.
+/// Requires that every entry counts something, has a name of one line and lies within the text.
 inline void check_report(const LoadReport& report, std::string_view text) {
   long lines = 1;
   for (const char c : text) lines += c == '\n' || c == '\r';
@@ -61,7 +61,7 @@ inline void check_report(const LoadReport& report, std::string_view text) {
   }
 }
 
-/// Entries of this severity and kind, counted.
+/// The number of events of this severity and kind.
 inline std::uint64_t count(const LoadReport& report, LoadReport::Severity severity,
                            std::string_view kind) {
   std::uint64_t sum = 0;
@@ -70,7 +70,7 @@ inline std::uint64_t count(const LoadReport& report, LoadReport::Severity severi
   return sum;
 }
 
-/// Lets parse(text, report) read the input, and check_error(text, what) judge what it throws.
+/// Calls parse(text, report) for the input, and check_error(text, what) for what it throws.
 template <class Parse, class CheckError>
 int read_text(const std::uint8_t* data, std::size_t size, const Parse& parse,
               const CheckError& check_error) {

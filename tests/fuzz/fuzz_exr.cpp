@@ -1,6 +1,6 @@
-// EXR pictures. OpenEXR itself comes as the system has it, without the sanitizers' and the fuzzer's
-// instruments: only what it does to memory that it gets from here is seen. Data windows are made
-// small: huge ones are a matter of tests/io/image_reader_test.cpp, and slow here.
+// Fuzzes the EXR reader. OpenEXR is the system's library, without the instrumentation of sanitizers
+// and fuzzer: only accesses to memory that our code allocates are checked. Data windows are made
+// small; tests/io/decode_image_test.cpp covers huge ones, which are slow here.
 
 #include "fuzz_picture.h"
 

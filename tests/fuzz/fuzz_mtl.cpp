@@ -1,9 +1,8 @@
-// MTL text, and the surface that is made of each material: sound values or one line that says
-// where; every record is kept or counted.
+// Fuzzes the MTL parser and the surfaces made from its materials: values are valid or there is a
+// one-line error with its location, and every record is kept or counted.
 
 #include <cmath>
 
-#include "../../src/io/mtl_surface.h"
 #include "fuzz.h"
 #include "raytracing/io/mtl.h"
 #include "records.h"
@@ -30,7 +29,7 @@ void check_counts(std::string_view text, std::size_t materials, const LoadReport
   auto records = count_records(text, {"newmtl"});
   require(records["newmtl"] ==
               materials + count(report, LoadReport::Severity::warning, "material defined twice"),
-          "every newmtl is a material or told");
+          "every newmtl is a material or reported");
   for (const char* known : {"newmtl", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "Pr", "Pm", "illum"})
     records.erase(known);
   check_ignored(records, report, "MTL key");

@@ -1,5 +1,5 @@
-// OBJ text: a sound mesh or one line that says where; every record is kept, dropped or ignored, and
-// counted as such.
+// Fuzzes the OBJ parser: the mesh is valid or there is a one-line error with its location, and
+// every record is kept or counted as dropped or ignored.
 
 #include "fuzz.h"
 #include "raytracing/io/obj.h"
@@ -45,7 +45,7 @@ void check_counts(std::string_view text, const ObjModel& model, const LoadReport
   require(take("p") == ignored("point"), "every p is counted");
   require(take("mtllib") <=
               model.libraries.size() + count(report, Severity::warning, "mtllib without a name"),
-          "every mtllib is a library or told");
+          "every mtllib is a library or reported");
   for (const char* silent : {"g", "o", "s", "usemtl"}) take(silent);
   check_ignored(records, report, "unknown keyword");
 }

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "fuzz.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 
 namespace raytracing::fuzz {
 
-/// A picture of the size that it states, with R, G and B first, or one line.
+/// Decodes the bytes: the image has the size that it states, with R, G and B first, or there is a
+/// one-line error.
 inline void read_picture(const std::string& bytes) {
   try {
     const ImageData image = decode_image(bytes, "x.picture");

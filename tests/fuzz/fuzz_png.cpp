@@ -1,5 +1,5 @@
-// PNG pictures, with each chunk's checksum put right: otherwise hardly any input would get past the
-// checksums. libpng is the system's, without instruments.
+// Fuzzes the PNG reader. The checksum of each chunk is corrected, or hardly any input would get
+// past the checksums. libpng is the system's library, without instrumentation.
 
 #include <zlib.h>
 

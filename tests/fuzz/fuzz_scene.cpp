@@ -1,5 +1,5 @@
-// Scene text: settings within their ranges or one line that says where. The models that a scene
-// names are not there.
+// Fuzzes the reader of scene files: settings are within their ranges or there is a one-line error
+// with its location. The models that a scene names do not exist.
 
 #include <cmath>
 
@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::check_scene(parse_scene(text, fuzz::kFile, {"point", "solid-angle"}, report));
   };
   return fuzz::read_text(data, size, parse, [](const std::string& text, std::string_view what) {
-    // A model's own file may be to blame, and what is missing altogether has no place.
+    // The error may be about a model file; a missing table has no location.
     if (text.find("obj") != std::string::npos) {
       fuzz::check_one_line(what);
     } else {

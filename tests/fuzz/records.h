@@ -1,5 +1,5 @@
 #pragma once
-// Counts the records of OBJ and MTL text in the plainest way, to judge what the parsers tell.
+// Counts the records of OBJ and MTL text in the simplest way, to check the reports of the parsers.
 
 #include <cstdint>
 #include <map>
@@ -14,13 +14,13 @@ namespace raytracing::fuzz {
 /// How many records begin with each keyword.
 using Records = std::map<std::string, std::uint64_t>;
 
-/// The records of a text. Behind a keyword of `naming` follows a name, where '#' begins a comment
+/// Counts the records of a text. Keywords in `naming` precede a name, in which '#' begins a comment
 /// only between blanks.
 inline Records count_records(std::string_view text, const std::set<std::string>& naming) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; };
   const auto line_end = [](char c) { return c == '\n' || c == '\r'; };
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  std::string all;  // one more line end saves asking for the end of the text
+  std::string all;  // with a line end at the end, which saves checks for the end of the text
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] != '\n' || i == 0 || text[i - 1] != '\r') all += text[i];
   all += '\n';
@@ -51,7 +51,7 @@ inline Records count_records(std::string_view text, const std::set<std::string>&
   return counts;
 }
 
-/// The report must tell all these records as ignored: each as `kind` or as "other <kind>".
+/// Requires that the report counts all these records as ignored, as `kind` or as "other <kind>".
 inline void check_ignored(const Records& records, const LoadReport& report,
                           const std::string& kind) {
   std::uint64_t sum = 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "raytracing/io/file.h"
 #include "raytracing/io/obj.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
@@ -139,7 +140,8 @@ struct ClosedMesh {
 /// Loads models/sphere.obj, which has 20,480 triangles on the unit sphere.
 ClosedMesh sphere_model() {
   LoadReport report;
-  const PolygonMesh mesh = load_obj(RAYTRACING_SOURCE_DIR "/models/sphere.obj", report).mesh;
+  const std::string path = RAYTRACING_SOURCE_DIR "/models/sphere.obj";
+  const PolygonMesh mesh = parse_obj(read_file(path), path, report).mesh;
   ClosedMesh closed{mesh.positions, {}};
   for (const PolygonMesh::Face& face : mesh.faces) {
     const PolygonMesh::Corner* c = &mesh.corners[face.first_corner];

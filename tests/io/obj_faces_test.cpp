@@ -36,25 +36,25 @@ TEST(ObjFaces, NegativeIndicesCountFromWhereTheyStand) {
 
 TEST(ObjFaces, IndicesOutOfRangeAreRefused) {
   EXPECT_EQ(error_of(kSquare + "f 1 2 0"),
-            "x.obj:5:7: vertex index 0; the first vertex is number 1");
+            "x.obj:5:7: vertex index 0 is invalid; the first vertex has index 1");
   EXPECT_EQ(error_of(kSquare + "f 1 2 5"),
             "x.obj:5:7: vertex index 5 is out of range; the file has 4");
   EXPECT_EQ(error_of(kSquare + "f 1 2 -5"),
-            "x.obj:5:7: vertex index -5 is out of range; 4 stand before it");
+            "x.obj:5:7: vertex index -5 is out of range; only 4 precede it");
   EXPECT_EQ(error_of(kSquare + "f 1 2 99999999999999999999999"),
             "x.obj:5:7: vertex index 9999999999999 is out of range; the file has 4");
   EXPECT_EQ(error_of(kSquare + "f 1 2 4294967296 3"),
             "x.obj:5:7: vertex index 4294967296 is out of range; the file has 4");
   EXPECT_EQ(error_of(kSquare + "f 1 2 4294967295\nf 0"),
-            "x.obj:6:3: vertex index 0; the first vertex is number 1");
+            "x.obj:6:3: vertex index 0 is invalid; the first vertex has index 1");
   EXPECT_EQ(error_of(kSquare + "f 1 2/1 3"),
             "x.obj:5:7: texture coordinate index 1 is out of range; the file has 0");
   EXPECT_EQ(error_of(kSquare + "vt 0 0\nf 1 2/-2 3"),
-            "x.obj:6:7: texture coordinate index -2 is out of range; 1 stand before it");
+            "x.obj:6:7: texture coordinate index -2 is out of range; only 1 precede it");
   EXPECT_EQ(error_of(kSquare + "f 1 2//1 3"),
             "x.obj:5:8: normal index 1 is out of range; the file has 0");
   EXPECT_EQ(error_of(kSquare + "vn 0 0 1\nf 1 2//-2 3"),
-            "x.obj:6:8: normal index -2 is out of range; 1 stand before it");
+            "x.obj:6:8: normal index -2 is out of range; only 1 precede it");
 }
 
 TEST(ObjFaces, BadCornersAreRefused) {

@@ -147,7 +147,7 @@ TEST(ObjNumbers, IndicesOfAnyLength) {
 
 TEST(ObjNumbers, BadNumbersAreRefusedWithTheirPlace) {
   EXPECT_EQ(error_of("v 0 1,5 0"),
-            "x.obj:1:5: expected y, found '1,5'; decimals are written with a point");
+            "x.obj:1:5: expected y, found '1,5'; use a point as the decimal mark");
   EXPECT_EQ(error_of("\nv nan 0 0"), "x.obj:2:3: expected x, found 'nan'");
   EXPECT_EQ(error_of("v 0 0 -inf"), "x.obj:1:7: expected z, found '-inf'");
   EXPECT_EQ(error_of("v 1e39 0 0"), "x.obj:1:3: expected x, found '1e39', too large for a float");

@@ -142,11 +142,6 @@ TEST(Obj, LinesOfAnyLength) {
   EXPECT_EQ(parse(std::string(200'000, 'k') + "\nv 0 0 0").mesh().positions.size(), 1u);
 }
 
-TEST(Obj, MissingFile) {
-  LoadReport report;
-  EXPECT_THROW(load_obj("/nonexistent/x.obj", report), InputError);
-}
-
 // Whatever is done to a file, the parser returns a sound mesh or throws InputError.
 TEST(Obj, SurvivesRandomDamage) {
   const std::string good =

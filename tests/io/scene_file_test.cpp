@@ -245,10 +245,10 @@ TEST(SceneFileErrors, CoverSpheresAndModels) {
        "scene.toml:8:10: spheres.radius: must be positive"},
       {"[materials.metal]\ntype = 'ggx'\n[[spheres]]\ncenter = [0, 0, 0]\nradius = 1\n"
        "material = 'petal'",
-       "scene.toml:9:12: spheres.material: [materials.petal] is not there; the nearest is "
+       "scene.toml:9:12: spheres.material: [materials.petal] is not defined; the nearest is "
        "[materials.metal]"},
       {"[[spheres]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = 'petal'",
-       "scene.toml:7:12: spheres.material: [materials.petal] is not there"},
+       "scene.toml:7:12: spheres.material: [materials.petal] is not defined"},
       {"[materials.lamp]\ntype = 'diffuse'\nemission = [0, 1, 0]\n[[spheres]]\n"
        "center = [0, 0, 0]\nradius = 1\nmaterial = 'lamp'",
        "scene.toml:10:12: spheres.material: a sphere must not emit; lights are polygons"},

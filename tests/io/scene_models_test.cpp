@@ -162,7 +162,7 @@ TEST(SceneMtl, RefusesWhatIsNotModelled) {
             "reflect more than it receives");
   EXPECT_EQ(error("Kd 1 1 1\nPm 0.5\n"),
             "m.mtl:1:1: material 'a': Pm is 0.5, but must be 0 or 1: blends of metal and non-metal "
-            "are not modelled");
+            "are not supported");
   EXPECT_EQ(error("Kd 1 1 1\nPm 1\nPr 0\n"),
             "m.mtl:1:1: material 'a': Pr is 0, but a rough conductor needs a roughness in (0,1]");
   EXPECT_EQ(error("Kd 1 1 1\nPm 1\nPr 1.5\n").substr(0, 10), "m.mtl:1:1:");

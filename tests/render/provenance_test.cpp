@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/render/render.h"
 #include "raytracing/study/chart/run_log.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "raytracing/io/file.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/study/chart/report.h"
 #include "raytracing/study/chart/runs.h"

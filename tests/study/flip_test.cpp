@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/pixels.h"
 
 namespace raytracing {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 
 namespace raytracing {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/page/report_page.h"
 
 namespace raytracing {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "support/cli_folder.h"
 
 namespace raytracing {

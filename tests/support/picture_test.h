@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
 #include "support/compare_pictures.h"

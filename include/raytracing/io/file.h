@@ -7,19 +7,19 @@
 namespace raytracing {
 
 /// The bytes of a regular file. Throws InputError ("file: reason") for a missing or unreadable
-/// file, a directory, or a read that fails.
+/// file, a directory, or a failed read.
 std::string read_file(const std::string& path);
 
-/// A 64-bit hash of bytes for telling versions of a file apart; not cryptographic. Chain files by
-/// passing the hash so far as `seed`.
+/// A 64-bit hash of bytes that distinguishes versions of a file; not cryptographic. Several files
+/// are chained by passing the hash so far as `seed`.
 std::uint64_t hash_bytes(std::string_view bytes, std::uint64_t seed = 0);
 
-/// A file that appears under its final name only when complete: written under a temporary name in
-/// the same folder, then renamed. Destroying it before commit() removes the temporary file.
+/// A file that appears under its final name only when complete: it is written under a temporary
+/// name in the same folder, then renamed. Destroying it before commit() removes the temporary file.
 class OutputFile {
  public:
-  /// Creates the temporary file, so that an unwritable place is known before any work is done.
-  /// Throws OutputError, also when `path` is a directory.
+  /// Creates the temporary file, so that an unwritable folder is found before any work is done.
+  /// Throws OutputError, also if `path` is a directory.
   explicit OutputFile(std::string path);
   ~OutputFile();
   OutputFile(OutputFile&& other) noexcept;

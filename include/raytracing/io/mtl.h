@@ -7,24 +7,28 @@
 
 #include "raytracing/io/load_report.h"
 #include "raytracing/math/vec.h"
+#include "raytracing/scene/description.h"
 
 namespace raytracing {
 
-/// One newmtl record, as written. Absent keys stay empty.
+/// A material of an MTL file, as written. Absent keys stay empty.
 struct MtlMaterial {
   std::string name;
-  TextLocation where;  ///< of its newmtl line
+  TextLocation where;  ///< location of its newmtl record
   std::optional<Rgb> Kd, Ks, Ke;
   std::optional<float> Ns, Ni, d, Pr, Pm;
   std::optional<int> illum;
 };
 
-/// Parses MTL text. `Tr` is read as 1 - d. Keys that have no meaning here (textures and so on) are
-/// named once each in `report` as ignored. Throws InputError (file:line:column).
+/// Parses MTL text; `file` is used in messages only. `Tr` is read as 1 - d. Keys without a meaning
+/// here, such as textures, are counted as ignored. Throws InputError (file:line:column).
 std::vector<MtlMaterial> parse_mtl(std::string_view text, const std::string& file,
                                    LoadReport& report);
 
-/// Reads and parses a file. Throws InputError when it cannot be read.
-std::vector<MtlMaterial> load_mtl(const std::string& path, LoadReport& report);
+/// The surface that a material describes: Ke is the emitted radiance; Pm = 1 makes a GGX conductor
+/// with constant reflectance Kd and roughness Pr, otherwise the surface is diffuse with Kd. Counts
+/// in `report` what is absent or has no meaning here. Throws InputError (at newmtl) for values out
+/// of range, and for a Pm between 0 and 1.
+Surface surface_from_mtl(const MtlMaterial& mtl, LoadReport& report);
 
 }  // namespace raytracing

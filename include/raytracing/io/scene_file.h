@@ -11,24 +11,25 @@
 
 namespace raytracing {
 
-/// A scene file with its assets read: the scene, and the settings that the file proposes.
+/// A scene file with its assets: the scene, and the default settings of its images.
 struct SceneFile {
   SceneDescription scene;
   int width = 784;
   int height = 784;
   std::int64_t spp = 16;
-  std::string light_sampling = "solid-angle";  ///< a name of the table of direct-light methods
-  std::uint64_t hash = 0;                      ///< of the scene file and all its OBJ and MTL files
+  std::string light_sampling = "solid-angle";  ///< the name of a direct-light method
+  std::uint64_t hash = 0;                      ///< hash of the scene file and its OBJ and MTL files
   std::vector<std::string> assets;             ///< paths of the OBJ and MTL files read
 };
 
-/// Loads a TOML scene and the OBJ and MTL files it names (paths relative to the scene file; MTL
-/// paths relative to their OBJ). `light_sampling_names` are the values that key may have.
-/// Throws InputError (file:line:column); an unknown key's message names the nearest known key.
+/// Loads a TOML scene with the OBJ and MTL files that it names. Paths are relative to the scene
+/// file, those of MTL files to their OBJ file. `light_sampling_names` are the allowed values of the
+/// key light_sampling. Throws InputError (file:line:column); the message about an unknown key names
+/// the nearest known one.
 SceneFile load_scene_file(const std::string& path,
                           const std::vector<std::string>& light_sampling_names, LoadReport& report);
 
-/// The same for a scene file's text; `path` says where it lies.
+/// The same for the text of a scene file, whose location is `path`.
 SceneFile parse_scene(std::string_view text, const std::string& path,
                       const std::vector<std::string>& light_sampling_names, LoadReport& report);
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "raytracing/io/file.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/error_picture.h"
 
 namespace raytracing {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 
 namespace raytracing {
 namespace {

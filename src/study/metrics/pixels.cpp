@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 
 namespace raytracing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/io/image_reader.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/pixels.h"
 
 namespace raytracing {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "raytracing/math/vec.h"
 
 namespace raytracing {

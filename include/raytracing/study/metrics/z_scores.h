@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "raytracing/io/image_file.h"
+#include "raytracing/io/image.h"
 #include "raytracing/study/metrics/error_metrics.h"
 
 namespace raytracing {

@@ -1,4 +1,4 @@
-#include "toml_reader.h"
+#include "toml.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,22 +7,18 @@
 #include <cmath>
 #include <limits>
 
-#include "raytracing/io/nearest_name.h"
-
 namespace raytracing {
 namespace {
 
-/// What stands at a node, in words.
+// Describes the value of a node in words.
 std::string describe(const toml::node& node) {
   if (const auto* text = node.as_string()) return fmt::format("the string \"{}\"", text->get());
   if (const auto* integer = node.as_integer()) return fmt::format("the integer {}", integer->get());
-  if (const auto* number = node.as_floating_point()) {
+  if (const auto* number = node.as_floating_point())
     return fmt::format("the number {}", number->get());
-  }
   if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
-  if (const auto* array = node.as_array()) {
+  if (const auto* array = node.as_array())
     return fmt::format("an array of {} value{}", array->size(), array->size() == 1 ? "" : "s");
-  }
   return node.is_table() ? "a table" : "a date or time";
 }
 
@@ -32,9 +28,8 @@ bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xc0
 
 TomlDocument::TomlDocument(std::string_view text, std::string file)
     : text_(text), file_(std::move(file)), line_starts_{0} {
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') line_starts_.push_back(i + 1);
-  }
   try {
     root_ = toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -45,11 +40,10 @@ TomlDocument::TomlDocument(std::string_view text, std::string file)
 TextLocation TomlDocument::location(const toml::source_position& position) const {
   TextLocation where{file_, static_cast<long>(position.line), static_cast<long>(position.column)};
   if (position.line < 1 || position.line > line_starts_.size()) return where;
-  // toml++ counts characters: add the bytes by which those before the column are longer.
+  // toml++ counts characters: add the further bytes of those before the column.
   std::size_t i = line_starts_[position.line - 1];
-  for (toml::source_index characters = 1; characters < position.column; ++characters) {
+  for (toml::source_index characters = 1; characters < position.column; ++characters)
     for (++i; i < text_.size() && is_continuation_byte(text_[i]); ++i) ++where.column;
-  }
   return where;
 }
 
@@ -68,7 +62,7 @@ TomlTable::TomlTable(const TomlDocument& document, const toml::table& table, std
 void TomlTable::refuse_unknown(const TomlKeys& keys) const {
   std::vector<std::string> known = keys.required;
   known.insert(known.end(), keys.optional.begin(), keys.optional.end());
-  // toml++ sorts keys by name; report the first in the file.
+  // toml++ sorts keys by name; the error names the first in the file.
   const toml::key* first = nullptr;
   for (const auto& [key, node] : *table_) {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
@@ -114,7 +108,7 @@ std::optional<std::string> TomlTable::one_of(std::string_view key,
                                              const std::vector<std::string>& names) const {
   const std::optional<std::string> value = string(key);
   if (!value || std::find(names.begin(), names.end(), *value) != names.end()) return value;
-  if (names.empty()) throw error(key, fmt::format("'{}' is not known; there are none", *value));
+  if (names.empty()) throw error(key, fmt::format("unknown name '{}'", *value));
   throw error(key, fmt::format("'{}' is not one of: {}; the nearest is '{}'", *value,
                                fmt::join(names, ", "), nearest_name(*value, names)));
 }
@@ -140,9 +134,8 @@ double TomlTable::checked_number(const std::string& name, const toml::node& node
   if (!number && !integer) throw type_error(name, node, expected);
   const double value = number ? number->get() : static_cast<double>(integer->get());
   // Fails for NaN, too.
-  if (!(std::abs(value) <= std::numeric_limits<float>::max())) {
+  if (!(std::abs(value) <= std::numeric_limits<float>::max()))
     throw type_error(name, node, "a finite number within the range of a 32-bit float");
-  }
   return value;
 }
 
@@ -159,9 +152,8 @@ std::optional<DVec3> TomlTable::vec3(std::string_view key) const {
   if (!array || array->size() != 3)
     throw type_error(full_name(key), *node, "an array of 3 numbers");
   DVec3 value;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i)
     value[i] = checked_number(full_name(key), (*array)[static_cast<std::size_t>(i)], "a number");
-  }
   return value;
 }
 
@@ -197,9 +189,8 @@ std::vector<std::pair<std::string, TomlTable>> TomlTable::named_tables(std::stri
   std::vector<std::pair<std::string, TomlTable>> result;
   const toml::node* node = table_->get(key);
   if (!node) return result;
-  if (!node->is_table()) {
+  if (!node->is_table())
     throw type_error(full_name(key), *node, fmt::format("tables, [{}.name]", key));
-  }
   for (const auto& [name, element] : *node->as_table()) {
     const std::string full = fmt::format("{}.{}", full_name(key), name.str());
     if (!element.is_table()) throw type_error(full, element, "a table");

@@ -1,5 +1,3 @@
-#include "raytracing/io/image_file.h"
-
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 #include <random>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/io/image.h"
 #include "support/temp_dir.h"
 
 // OpenImageIO is an independent judge here: the program does not use it.

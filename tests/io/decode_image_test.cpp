@@ -1,5 +1,3 @@
-#include "raytracing/io/image_reader.h"
-
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/io/image.h"
 #include "support/temp_dir.h"
 
 // Files that this program does not write are made by OpenImageIO.

@@ -3,8 +3,10 @@
 #include <ImfFloatAttribute.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfIntAttribute.h>
+#include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <ImfTileDescription.h>
@@ -18,12 +20,81 @@
 #include <new>
 #include <string_view>
 
-#include "exr_header_check.h"
-#include "image_decoders.h"
+#include "image_codecs.h"
 #include "raytracing/io/errors.h"
 
 namespace raytracing {
 namespace {
+
+/// Lets OpenEXR write to memory. It seeks back once, to fill in the table of line offsets.
+class StringStream : public Imf::OStream {
+ public:
+  StringStream() : Imf::OStream("image.exr") {}
+
+  void write(const char bytes[], int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    bytes_.resize(std::max(bytes_.size(), position_ + size));
+    std::copy_n(bytes, size, bytes_.begin() + static_cast<std::ptrdiff_t>(position_));
+    position_ += size;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+  std::size_t position_ = 0;
+};
+
+void insert_attribute(Imf::Header& header, const char* name, const std::string& value) {
+  header.insert(name, Imf::StringAttribute(value));
+}
+
+void insert_attribute(Imf::Header& header, const char* name, double value) {
+  header.insert(name, Imf::DoubleAttribute(value));
+}
+
+void insert_attribute(Imf::Header& header, const char* name, bool value) {
+  insert_attribute(header, name, to_text(value));  // EXR has no attribute that is true or false
+}
+
+// EXR has no 64-bit integers: what does not fit 32 bits becomes text, so that no digit is lost.
+void insert_attribute(Imf::Header& header, const char* name, std::int64_t value) {
+  if (value >= INT32_MIN && value <= INT32_MAX)
+    header.insert(name, Imf::IntAttribute(static_cast<std::int32_t>(value)));
+  else
+    insert_attribute(header, name, std::to_string(value));
+}
+
+Imf::Header make_header(const ImageData& image) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const std::string& channel : image.channels)
+    header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+  for (const auto& [name, value] : image.metadata) {
+    // A second attribute of this name, or one that EXR defines, would be replaced silently.
+    if (header.find(name) != header.end())
+      throw OutputError("an image's attribute '" + name + "' is taken");
+    // A lambda could not capture a structured binding before C++20 was amended.
+    const char* const attribute = name.c_str();
+    std::visit([&](const auto& v) { insert_attribute(header, attribute, v); }, value);
+  }
+  return header;
+}
+
+Imf::FrameBuffer make_frame_buffer(const ImageData& image) {
+  const std::size_t pixel_bytes = image.channels.size() * sizeof(float);
+  const std::size_t row_bytes = pixel_bytes * static_cast<std::size_t>(image.width);
+  // OpenEXR only reads through this pointer, but takes one type for reading and writing.
+  char* base = reinterpret_cast<char*>(const_cast<float*>(image.values.data()));
+  Imf::FrameBuffer buffer;
+  for (const std::string& channel : image.channels) {
+    buffer.insert(channel, Imf::Slice(Imf::FLOAT, base, pixel_bytes, row_bytes));
+    base += sizeof(float);
+  }
+  return buffer;
+}
 
 constexpr std::size_t kMagicAndVersion = 8;
 
@@ -46,7 +117,7 @@ Imf::Header read_header(const std::string& bytes, Imf::IStream& stream) {
   return header;
 }
 
-// R, G, B and then the others, in the file's order.
+// The channels R, G, B and then the others, in the order of the file.
 std::vector<std::string> channel_names(const Imf::Header& header) {
   std::vector<std::string> names = {"R", "G", "B"};
   std::size_t found = 0;
@@ -71,7 +142,7 @@ void check_sizes(const Imf::Header& header, std::size_t channels, std::size_t fi
   const auto& tile = header.tileDescription();
   check_image_size(width, tile.ySize, channels);  // OpenEXR keeps one row of tiles
   check_image_size(tile.xSize, tile.ySize, channels);
-  // OpenEXR makes room for the places of all tiles before it reads them.
+  // OpenEXR allocates the table of tile offsets before it reads it.
   const std::int64_t across = (width - 1) / tile.xSize + 1, down = (height - 1) / tile.ySize + 1;
   if (static_cast<std::uint64_t>(across * down) > file_bytes / sizeof(std::uint64_t))
     throw InputError("is too short for its tiles");
@@ -93,14 +164,15 @@ ImageMetadata metadata(const Imf::Header& header) {
   return result;
 }
 
-// By strips, so that a short file that claims to be large takes no more memory than it fills.
+// Reads by strips, so that a short file that claims to be large touches no more memory than it
+// fills.
 void read_values(Imf::InputFile& file, ImageData& image) {
   constexpr std::size_t kStripValues = std::size_t{1} << 18;
   const auto& window = file.header().dataWindow();
   const std::size_t pixel_values = image.channels.size();
   const std::size_t row_values = pixel_values * static_cast<std::size_t>(image.width);
   const int strip = std::max(1, static_cast<int>(kStripValues / row_values));
-  image.values.reserve(row_values * static_cast<std::size_t>(image.height));  // stays in its place
+  image.values.reserve(row_values * static_cast<std::size_t>(image.height));  // not moved later
   Imf::FrameBuffer buffer;
   for (std::size_t c = 0; c < pixel_values; ++c)
     buffer.insert(image.channels[c],
@@ -116,6 +188,22 @@ void read_values(Imf::InputFile& file, ImageData& image) {
 
 }  // namespace
 
+std::string encode_exr(const ImageData& image) {
+  try {
+    StringStream stream;
+    {
+      Imf::OutputFile file(stream, make_header(image));
+      file.setFrameBuffer(make_frame_buffer(image));
+      file.writePixels(image.height);
+    }  // the table of line offsets is written when `file` goes
+    return stream.take();
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw OutputError(std::string("EXR: ") + error.what());
+  }
+}
+
 ImageData decode_exr(const std::string& bytes) {
   try {
     Imf::StdISStream stream;
@@ -125,7 +213,8 @@ ImageData decode_exr(const std::string& bytes) {
     image.channels = channel_names(header);
     check_sizes(header, image.channels.size(), bytes.size());
     Imf::InputFile file(stream);
-    // Where the parts of a file contradict each other, what was checked is not what is read.
+    // The parts of a file may contradict each other: the size that was checked must be the one
+    // read.
     if (file.header().dataWindow() != header.dataWindow())
       throw InputError("contradicts itself about its size");
     const auto& window = header.dataWindow();
