@@ -96,8 +96,10 @@ Vec3 sample_area(const AreaLight& light, const Vec2& u) {
   if (light.is_parallelogram)
     return corner + u.x * (light.corners[1] - corner) + u.y * (light.corners[3] - corner);
   Vec2 v = u;
-  const std::size_t i = choose_from_fan(light, static_cast<double>(light.area), v.x,
-                                        [&](std::size_t k) { return fan_area(light, k); });
+  std::size_t i = 0;
+  if (fan_size(light) > 1)
+    i = choose_from_fan(light, static_cast<double>(light.area), v.x,
+                        [&](std::size_t k) { return fan_area(light, k); });
   const auto [a, b, c] = fan_triangle(light, i);
   const Vec2 w = square_to_triangle(v);
   return a + w.x * (b - a) + w.y * (c - a);

@@ -1,5 +1,5 @@
 #pragma once
-// What hides a segment from a point, by loops over everything in double precision.
+// A reference implementation of segment queries: loops over all triangles in double precision.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ struct SegmentScene {
     const auto& c = triangles[i].corners;
     return {DVec3(positions[c[0]]), DVec3(positions[c[1]]), DVec3(positions[c[2]])};
   }
-  /// The rounding of the largest coordinate there is.
+  /// The float spacing of the largest coordinate.
   double spacing(const SegmentQuery& query) const {
     double largest = 0;
     const auto count = [&](const DVec3& x) {
@@ -55,7 +55,7 @@ struct SegmentScene {
   }
 };
 
-/// The part of [0,1] that one triangle hides; empty (begin >= end) for none.
+/// Returns the part of [0,1] that one triangle occludes, which is empty (begin >= end) for none.
 inline std::pair<double, double> hidden_by(const std::array<DVec3, 3>& x, const SegmentQuery& q) {
   const DVec3 p(q.p), to_a = DVec3(q.a) - p, to_b = to_a + DVec3(q.d);
   const DVec3 n = cross(to_a, DVec3(q.d));
@@ -94,7 +94,7 @@ inline bool sphere_hides(const Sphere& sphere, const DVec3& p, const DVec3& x) {
   return (near > 0 && near < 1) || (far > 0 && far < 1);
 }
 
-/// Whether the triangles hide the point with this parameter: by their intervals, `hidden`.
+/// Returns whether one of the occluded intervals `hidden` contains this parameter.
 inline bool covered(const Pieces& hidden, double t) {
   return std::any_of(hidden.begin(), hidden.end(),
                      [t](const auto& piece) { return piece.first < t && t < piece.second; });
@@ -122,7 +122,7 @@ inline bool seen_at(const IntervalSet& set, double t) {
                      [t](const Interval& part) { return part.begin <= t && t <= part.end; });
 }
 
-/// Distance of two segments (Ericson 2005, section 5.1.9).
+/// Returns the distance of two segments (Ericson 2005, section 5.1.9).
 inline double segment_distance(const DVec3& p1, const DVec3& q1, const DVec3& p2, const DVec3& q2) {
   const DVec3 d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
   const double a = dot(d1, d1), e = dot(d2, d2), f = dot(d2, r), c = dot(d1, r), b = dot(d1, d2);
@@ -137,8 +137,8 @@ inline double segment_distance(const DVec3& p1, const DVec3& q1, const DVec3& p2
   return length(p1 + s * d1 - p2 - t * d2);
 }
 
-/// How far the answer at t is from changing: the distance of the ray to the nearest edge or
-/// silhouette, or of one of its ends to the nearest surface's plane.
+/// Returns how far the visibility at t is from changing: the distance of the ray to the nearest
+/// edge or silhouette, or of one of its ends to the plane of the nearest surface.
 inline double clearance(const SegmentScene& scene, const SegmentQuery& query, double t) {
   const DVec3 p(query.p), x = query.at(t);
   double best = std::numeric_limits<double>::infinity();
@@ -159,8 +159,8 @@ inline double clearance(const SegmentScene& scene, const SegmentQuery& query, do
   return best;
 }
 
-/// Where `set` is wrong: the largest clearance, in float spacings of the largest coordinate, of any
-/// point of [0,1] about which the set and the loops disagree. 0 when they agree.
+/// Returns the largest clearance, in float spacings of the largest coordinate, of a point of [0,1]
+/// on which `set` and the loops disagree, or 0 when they agree.
 inline double worst_error(const SegmentScene& scene, const SegmentQuery& query,
                           const IntervalSet& set, int extra_points = 0) {
   const Pieces pieces = hidden_pieces(scene, query);
@@ -179,7 +179,8 @@ inline double worst_error(const SegmentScene& scene, const SegmentQuery& query,
   return worst / scene.spacing(query);
 }
 
-/// A sphere of triangles with shared corners: an octahedron, each face cut in four `levels` times.
+/// Adds a sphere of triangles with shared corners: an octahedron with faces split in four `levels`
+/// times.
 inline void add_tessellated_sphere(SegmentScene& scene, const Sphere& sphere, int levels,
                                    const std::array<Vec3, 3>& axes) {
   using Triangle = std::array<std::uint32_t, 3>;
