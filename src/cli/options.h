@@ -143,6 +143,7 @@ void OptionList::choice(const std::string& name, Field& field,
                         const std::vector<std::pair<std::string, Value>>& values,
                         const std::string& description) {
   std::vector<std::string> names;
+  names.reserve(values.size());
   for (const auto& value : values) names.push_back(value.first);
   const auto parser = [&field, name, names, values](const std::string& text) {
     field = values[index_of_name(name, text, names)].second;
@@ -158,7 +159,7 @@ void OptionList::list(const std::string& name, std::vector<Item>& field, const c
     for (const std::string& part : split_list(text)) {
       const Item item = parse(part);
       if (std::find(field.begin(), field.end(), item) != field.end())
-        throw_usage(name + ": " + part + " is listed twice");
+        throw_usage(fmt::format("{}: {} is listed twice", name, part));
       field.push_back(item);
     }
   };

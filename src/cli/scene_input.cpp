@@ -40,7 +40,7 @@ fs::path scene_folder() {
 
 // What happened, to what first, and how often.
 std::string to_text(const LoadReport::Entry& e) {
-  const std::string what = e.name.empty() ? e.kind : e.kind + ": " + e.name;
+  std::string what = e.name.empty() ? e.kind : e.kind + ": " + e.name;
   if (e.count == 1) return what;
   if (e.name.empty()) return fmt::format("{} ({} times)", what, e.count);
   return fmt::format("{} (the first of {})", what, e.count);

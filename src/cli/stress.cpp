@@ -113,7 +113,7 @@ std::vector<std::string> draw(const StressResult& result, const ResultFolder& fo
                "with it, run gnuplot stress.gp in the folder\n");
     return {};
   }
-  const std::vector<std::string> drawn = with_extensions(stress_pictures(result));
+  std::vector<std::string> drawn = with_extensions(stress_pictures(result));
   for (const std::string& name : drawn) folder.print_path(name);
   return drawn;
 }
