@@ -20,7 +20,7 @@ TEST(CompareExit, TheLimitDecidesTheExitCode) {
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "j"}));
 }
 
-TEST(CompareExit, NonFinitePixelsAreToldAndNotWithinAnyLimit) {
+TEST(CompareExit, NonFinitePixelsAreReportedAndNotWithinAnyLimit) {
   const CompareFolder folder;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   folder.write("a.exr", rgb_picture(3, 1, {1, 1, 1, nan, 1, 1, 1, 1, 1}));
@@ -46,7 +46,7 @@ TEST(CompareExit, NothingIsOverwrittenByAnother) {
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
 }
 
-// Without a pixel that counts there is no error to tell.
+// Without a pixel to measure there is no error.
 TEST(CompareExit, PixelsMustCount) {
   const OneChannelOff folder;
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -59,7 +59,7 @@ TEST(CompareExit, PixelsMustCount) {
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr", "nan.exr", "none.png"}));
 }
 
-TEST(CompareExit, ZScoresThatCannotBeAreToldBeforeAnythingIsWritten) {
+TEST(CompareExit, ImpossibleZScoresAreReportedBeforeAnythingIsWritten) {
   const OneChannelOff folder;
   const RunResult run =
       folder.compare({"a.exr", "b.exr", "--diff", "d.png", "--z-scores", "z.exr", "--json", "j"});

@@ -1,4 +1,4 @@
-// Each option does what it says.
+// Each option has the effect that the help describes.
 
 #include <gtest/gtest.h>
 
@@ -168,7 +168,7 @@ TEST(Effects, VarianceOfReplicatesIsThatOfTheirMeans) {
   EXPECT_EQ(folder.json("s.json")["variance_kind"], two.attribute("variance_kind"));
 }
 
-TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
+TEST(Effects, HeaderSaysWhatTheVarianceIsWorth) {
   const CliFolder folder;
   const auto kind = [&](std::vector<std::string> options) {
     options.insert(options.end(), {"--quiet", "-o", "x.exr"});
@@ -182,7 +182,7 @@ TEST(Effects, HeaderTellsWhatTheVarianceIsWorth) {
   EXPECT_NE(kind({"--variance", "--sampler", "independent"}).find("honest"), std::string::npos);
 }
 
-TEST(Effects, HeaderTellsWhetherPixelsAreIndependent) {
+TEST(Effects, HeaderSaysWhetherPixelsAreIndependent) {
   const CliFolder folder;
   const auto correlation = [&](std::vector<std::string> options) {
     options.insert(options.end(), {"--quiet", "--variance", "-o", "x.exr", "--stats", "s.json"});

@@ -1,4 +1,4 @@
-// Scenes at the edge of sense: each ends, and says what is wrong with it.
+// Degenerate scenes: each rendering ends and reports what is wrong with the scene.
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@ namespace {
 
 const std::string kCamera =
     "[film]\nwidth = 6\nheight = 6\n[camera]\norigin = [0,0,0]\ntarget = [0,0.1,-1]\n";
-// The cube [-1,1]^3 seen from inside, and in its ceiling a light.
+// The cube [-1,1]^3 as seen from inside; a light hangs below its ceiling.
 const std::string kRoom =
     "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
     "f 1 2 3 4\nf 6 5 8 7\nf 2 6 7 3\nf 5 1 4 8\nf 5 6 2 1\nf 4 3 7 8\n";
-// With `place` further lines of both models.
+// Both models; `place` holds further lines for each.
 std::string model(const std::string& place = "") {
   return "[[models]]\nobj = 'room.obj'\nmaterial = 'wall'\n" + place +
          "[[models]]\nobj = 'light.obj'\nmaterial = 'light'\n" + place;
@@ -48,7 +48,7 @@ TEST_F(Extremes, AnEmptySceneIsBlackAndSaysSo) {
   for (const float value : read_image(at_.folder / "s.exr").values) EXPECT_EQ(value, 0);
 }
 
-// Without roulette no path in a closed room that absorbs nothing would end.
+// In a closed room that absorbs nothing, only Russian roulette ends a path.
 TEST_F(Extremes, ARoomThatAbsorbsNothingEnds) {
   at_.folder.write("room.obj", kRoom);
   at_.folder.write("light.obj", kDown);
@@ -61,7 +61,7 @@ TEST_F(Extremes, ARoomThatAbsorbsNothingEnds) {
   }
 }
 
-// There the floats lie 1/4 apart, which states this room exactly and leaves rays no digits.
+// Floats lie 1/4 apart there: the room is represented exactly, but rays would have no digits left.
 TEST_F(Extremes, FarFromTheOriginIsAsNear) {
   at_.folder.write("room.obj", kRoom);
   at_.folder.write("light.obj", kDown);
@@ -93,7 +93,7 @@ TEST_F(Extremes, BrightLightsScaleAndStayFinite) {
   EXPECT_NEAR(mean() * 1e9, one, 1e-5 * one);
 }
 
-TEST_F(Extremes, ALightThatShinesAwayFromEverythingIsTold) {
+TEST_F(Extremes, ALightThatFacesAwayFromEverythingIsReported) {
   at_.folder.write("room.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\nf 4 3 2 1\n");
   at_.folder.write("light.obj", kDown);
   const std::string scene = kCamera + materials("0.5", "1") + kModel;
@@ -118,7 +118,7 @@ TEST_F(Extremes, ALightWithoutAreaIsDropped) {
   EXPECT_EQ(mean(), 0);
 }
 
-// Inside a sphere within the room: dark, but no more than that.
+// A camera inside a sphere sees darkness, and nothing worse.
 TEST_F(Extremes, ACameraInsideOfGeometry) {
   at_.folder.write("room.obj", kRoom);
   at_.folder.write("light.obj", kDown);
@@ -131,7 +131,7 @@ TEST_F(Extremes, ACameraInsideOfGeometry) {
   EXPECT_EQ(at_.json("s.json")["rays_escaped"], 0);
 }
 
-// The ledger: rays that leave an open scene, and light samples that fall back on the area.
+// Rays that leave an open scene and light samples that fall back to uniform area are counted.
 TEST_F(Extremes, FallbacksAndEscapedRaysAreCounted) {
   at_.folder.write("room.obj", "v -9 -1 -9\nv 9 -1 -9\nv 9 -1 9\nv -9 -1 9\nf 4 3 2 1\n");
   at_.folder.write("light.obj", kDown);

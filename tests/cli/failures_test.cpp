@@ -1,5 +1,5 @@
-// Bad input ends with 3, outputs that cannot be written with 4, each with one line; nothing is left
-// behind and nothing old is lost.
+// Invalid input ends with exit code 3, an output that cannot be written with 4, each with one line.
+// Nothing is left behind, and no older file is lost.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST(BadInput, ASceneThatIsNotThere) {
   EXPECT_EQ(folder.names(), Names{});
 }
 
-TEST(BadInput, ABrokenSceneIsToldWithItsPlace) {
+TEST(BadInput, ABrokenSceneIsReportedWithItsLocation) {
   const CliFolder folder;
   const std::string camera = "[camera]\norigin = [0,0,1]\ntarget = [0,0,0]\n";
   folder.folder.write("syntax.toml", camera + "[film\n");
@@ -51,7 +51,7 @@ TEST(BadInput, ABrokenSceneIsToldWithItsPlace) {
             (Names{"broken.obj", "key.toml", "missing.toml", "model.toml", "syntax.toml"}));
 }
 
-// Radiance near the largest float: its sum with what it lights overflows.
+// The radiance is near the largest float, and overflows when reflected radiance is added to it.
 TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
   const CliFolder folder;
   folder.folder.write("s.toml",
@@ -75,7 +75,7 @@ TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
         causes += count.get<std::uint64_t>();
     EXPECT_EQ(causes, stats["non_finite_samples"]);
 
-    // The named sample, traced again, has the cause that was told.
+    // Replaying the sample that was named shows the cause that was named.
     const std::size_t named = run.err.find("non-finite sample (");
     ASSERT_NE(named, std::string::npos) << run.err;
     const std::string line = run.err.substr(named, run.err.find('\n', named) - named);
@@ -110,7 +110,7 @@ TEST(BadInput, StrictRefusesWhatWasRepaired) {
   EXPECT_EQ(folder.run({"s.toml", "--strict", "-o", "x.png"}).exit_code, 0);
 }
 
-// A rendering that would take hours, so that only a check before it can end in time.
+// This rendering would take hours: only an error found before it begins ends in time.
 RunResult long_render(const CliFolder& folder, std::vector<std::string> outputs) {
   outputs.insert(outputs.end(), {"--spp", "1000000000", "--quiet"});
   RunOptions options;
@@ -186,7 +186,7 @@ TEST(BadOutput, TheDefaultNameIsCheckedToo) {
 }
 
 TEST(BadOutput, AWriteThatFailsAtTheEndKeepsTheOldPicture) {
-  // The limit of the file size stands for a full disk.
+  // A limit of the file size stands for a full disk.
   const CliFolder folder;
   folder.folder.write("x.exr", "old");
   RunOptions options;

@@ -13,8 +13,8 @@
 namespace raytracing {
 namespace {
 
-// Floor, wall, a roof and a lamp; multiples of 1/4. `offset` is added to all but the first vertex,
-// which is no face's.
+// A floor, a wall, a roof and a lamp, whose coordinates are multiples of 1/4. `offset` is added to
+// all vertices but the first, which belongs to no face.
 std::string model(const DVec3& offset) {
   std::string text = "mtllib m.mtl\nv 0 0 0\n";
   for (const DVec3& p : {DVec3(-2, 0, -2), DVec3(2, 0, -2), DVec3(2, 0, 2), DVec3(-2, 0, 2),
@@ -29,7 +29,7 @@ std::string model(const DVec3& offset) {
 const std::string kLibrary = "newmtl grey\nKd .6 .5 .4\nnewmtl lamp\nKd 0 0 0\nKe 6 6 6\n";
 const std::string kNarrow = "warning: a pixel is";
 
-// `offset` is added to all that has a place.
+// The same scene with `offset` added to all positions.
 std::string scene(const DVec3& offset) {
   const auto place = [&](double x, double y, double z) {
     return fmt::format("[{}, {}, {}]", x + offset.x, y + offset.y, z + offset.z);
@@ -59,12 +59,13 @@ struct FarScene : ::testing::Test {
   CliFolder at;
 };
 
-// Places to which multiples of 1/4 are added without rounding.
+// Offsets to which multiples of 1/4 are added without rounding.
 const DVec3 kOffsets[] = {{1e6, 0, 0}, {-1e6, 2e6, 3e6}, {0, 0, -4194304}, {1000, -500, 250}};
 
-// The middle of the scene's bounds is (0, 2, 0). By that much the moved scene lies elsewhere than
-// the near one, which stays, so its rays are rounded otherwise. That shows by less than a
-// thousandth, but for one value in a hundred: where rays pass an edge on its other side.
+// The middle of the scene's bounds is (0, 2, 0). A far scene is moved there, a near one is not, so
+// that their positions differ by that much and their rays are rounded differently. The values
+// differ by less than a thousandth, except for one in a hundred, where a ray passes an edge on its
+// other side.
 TEST_F(FarScene, LooksLikeTheNearOne) {
   for (const DirectMethod& method : direct_methods()) {
     const std::vector<float> near = picture(DVec3(0.0), std::string(method.name));
@@ -85,7 +86,7 @@ TEST_F(FarScene, LooksLikeTheNearOne) {
   }
 }
 
-// Wherever it lies, it is moved to the same place.
+// A far scene is moved to the same place wherever it lies.
 TEST_F(FarScene, LooksTheSameFromAllFarPlaces) {
   const std::vector<float> first = picture({16, 1024, -512}, "line");
   EXPECT_NE(first, picture(DVec3(0.0), "line")) << "the near one is not moved";
@@ -113,7 +114,7 @@ Replay parse(const std::string& text) {
   return replay;
 }
 
-// To the nine digits that are printed.
+// The positions agree to the nine digits that are printed.
 TEST_F(FarScene, ReplaysInTheUsersCoordinates) {
   const DVec3 here(16, 1024, -512), there(1e6, 2e6, -3e6);
   std::size_t vertices = 0;
@@ -133,17 +134,17 @@ TEST_F(FarScene, ReplaysInTheUsersCoordinates) {
 }
 
 TEST_F(FarScene, WarnsWhereItsOwnCoordinatesAreRounded) {
-  const auto told = [&](const DVec3& offset) { return run(offset, {"-o", "s.png"}).err; };
+  const auto warnings = [&](const DVec3& offset) { return run(offset, {"-o", "s.png"}).err; };
   for (const DVec3& offset : {DVec3(0.0), DVec3(1000, 0, 0)})
-    EXPECT_EQ(told(offset).find("warning"), std::string::npos) << told(offset);
-  EXPECT_NE(told({1e6, 0, 0})
+    EXPECT_EQ(warnings(offset).find("warning"), std::string::npos) << warnings(offset);
+  EXPECT_NE(warnings({1e6, 0, 0})
                 .find("warning: the scene lies so far from the origin that its coordinates are "
                       "rounded to 0.03 of half its size; move it closer to the origin\n"),
             std::string::npos)
-      << told({1e6, 0, 0});
+      << warnings({1e6, 0, 0});
 }
 
-// Seen from `distance` half sizes.
+// A triangle seen from `distance` times half its size.
 std::string seen_from(double distance) {
   const double fov = 2 * std::atan(1.5 / distance) * 180 / std::acos(-1.0);
   return fmt::format(
@@ -153,7 +154,7 @@ std::string seen_from(double distance) {
 }
 
 TEST_F(FarScene, WarnsOfACameraSoFarThatItsRaysAreRounded) {
-  // A lone triangle that shines.
+  // The scene is a single emitting triangle.
   at.folder.write("m.obj",
                   "mtllib m.mtl\nv -.9 -.2 -.8\nv .6 -.9 .1\nv .3 .8 .2\nusemtl lamp\n"
                   "f 1 2 3\n");

@@ -1,5 +1,5 @@
-// What the environment may do to a run: files that cannot be read, assets that are missing, disks
-// that are full, more threads than there is work. Each ends with the right exit code and one line.
+// Faults of the environment: unreadable files, missing assets, full disks, more threads than there
+// is work. Each ends with the right exit code and one line.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ RunResult with_full_disk(const CliFolder& folder, const Names& arguments, int bl
   return run_any(command, options);
 }
 
-// A file whose reading fails, also for the superuser.
+// Reading /proc/self/mem fails for every user, also for the superuser.
 TEST(Faults, UnreadableFilesAreNamed) {
   const CompareFolder folder;
   folder.write("a.exr", rgb_picture(1, 1, {1, 1, 1}));
@@ -49,7 +49,7 @@ TEST(Faults, UnreadableFilesAreNamed) {
   }
 }
 
-TEST(Faults, MissingMaterialsAndTexturesAreTold) {
+TEST(Faults, MissingMaterialsAndTexturesAreReported) {
   const CliFolder folder;
   folder.folder.write("s.toml", kScene + "[[models]]\nobj = 'm.obj'\n");
   folder.folder.write("m.obj", "mtllib no.mtl there.mtl\n" + kSquare +
@@ -90,7 +90,7 @@ TEST(Faults, NumbersThatAreNoneInAScene) {
     EXPECT_TRUE(run.err.starts_with("Raytracing: s.toml:7:")) << run.err;
     EXPECT_EQ(lines_of(run.err), 1u);
   }
-  // Finite numbers, but no ray.
+  // The numbers are finite, but no ray can be computed from them.
   folder.folder.write("far.toml", "[camera]\norigin = [0,0,1e38]\ntarget = [0,0,-1e38]\n");
   const RunResult far = folder.run({"far.toml", "--spp=1"});
   EXPECT_EQ(far.exit_code, 3);
@@ -178,7 +178,7 @@ TEST(Faults, ASmallDiskLeavesNothingNew) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-// Stacks of 1 GB, of which 8 GB have room for a few.
+// Each thread takes a stack of 1 GB, of which a few fit into 8 GB.
 TEST(Faults, FewerThreadsThanAskedFor) {
   const CliFolder folder;
   RunOptions options;
@@ -202,7 +202,7 @@ TEST(Faults, FewerThreadsThanAskedFor) {
   EXPECT_EQ(same.exit_code, 0) << same.out;
 }
 
-// 4 billion pixels: told before anything is rendered, and the temporary file is gone.
+// An image of 4 billion pixels is refused before anything is rendered; no temporary file remains.
 TEST(Faults, APictureLargerThanTheMemory) {
   const CliFolder folder;
   RunOptions options;

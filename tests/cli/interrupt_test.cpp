@@ -10,7 +10,7 @@
 namespace raytracing {
 namespace {
 
-/// A rendering of many minutes that gets a signal once it shows progress.
+/// Starts a rendering of many minutes and sends it a signal once it shows progress.
 RunResult interrupted(const CliFolder& folder, int signal, int count = 1) {
   RunOptions options;
   options.folder = folder.folder.path();
@@ -55,8 +55,8 @@ TEST(Interrupt, SigtermKeepsThePicture) {
   expect_partial_picture(folder, run);
 }
 
-TEST(Interrupt, ASignalToldTwiceAtOnceIsOne) {
-  // As timeout(1) tells it: to the process, then to its group.
+TEST(Interrupt, ASignalSentTwiceAtOnceIsOne) {
+  // timeout(1) signals the process and then its process group.
   for (int i = 0; i < 3; ++i) {
     const CliFolder folder;
     const RunResult run = interrupted(folder, SIGTERM, 2);
@@ -85,7 +85,7 @@ TEST(Interrupt, AnyMomentLeavesEitherAllOrNothing) {
   }
 }
 
-// Encoding and writing take most of this run: signals over all of it meet them too.
+// Encoding and writing take most of this run, so that some signals arrive during them.
 TEST(Interrupt, SignalsWhileWritingLeaveWholePictures) {
   const CliFolder folder;
   RunOptions options;

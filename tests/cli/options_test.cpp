@@ -156,7 +156,7 @@ TEST(Options, VersionNamesTheBuild) {
 
 struct Wrong {
   std::vector<std::string> arguments;
-  std::string told;  ///< how the line goes on after "Raytracing: "
+  std::string message;  ///< the beginning of the line after "Raytracing: "
 };
 
 void expect_usage_error(const CliFolder& folder, const Wrong& wrong) {
@@ -164,11 +164,11 @@ void expect_usage_error(const CliFolder& folder, const Wrong& wrong) {
   for (const std::string& a : wrong.arguments) line += " " + a;
   RunOptions options;
   options.folder = folder.folder.path();
-  options.limit = 10;  // a value that is taken by mistake may start a long rendering
+  options.limit = 10;  // a value that is accepted by mistake may start a long rendering
   const RunResult run = run_program(wrong.arguments, options);
   EXPECT_EQ(run.exit_code, 2) << line;
   EXPECT_EQ(run.out, "") << line;
-  EXPECT_EQ(run.err.substr(0, 12 + wrong.told.size()), "Raytracing: " + wrong.told) << line;
+  EXPECT_EQ(run.err.substr(0, 12 + wrong.message.size()), "Raytracing: " + wrong.message) << line;
   EXPECT_EQ(lines_of(run.err), 1u) << run.err;
   EXPECT_LE(run.err.size(), 200u) << run.err;
   EXPECT_EQ(folder.names(), std::vector<std::string>{}) << line;

@@ -19,7 +19,7 @@ TEST(Outputs, DefaultNameIsTheScenesInTheWorkingDirectory) {
   EXPECT_EQ(read_with_oiio(folder.folder / "cornell.png").spec.width, 12);
 }
 
-TEST(Outputs, AllAreWrittenAndToldOnStdout) {
+TEST(Outputs, AllAreWrittenAndNamedOnStdout) {
   const CliFolder folder;
   folder.folder.write("old.png", "not a picture");
   const RunResult run =
@@ -90,7 +90,7 @@ TEST(Outputs, UnlimitedDepthIsStated) {
   EXPECT_EQ(folder.json("s.json")["max_depth"], "unlimited");
 }
 
-TEST(Outputs, HeadersTellHowThePictureWasMade) {
+TEST(Outputs, HeadersSayHowThePictureWasMade) {
   const CliFolder folder;
   ASSERT_EQ(
       folder

@@ -52,7 +52,7 @@ TEST_F(StressCommand, WithoutGnuplotAllElseIsWritten) {
   EXPECT_FALSE(exists("s/stress.svg"));
 }
 
-TEST_F(StressCommand, PicturesOfAnEarlierRunAreToldAndKept) {
+TEST_F(StressCommand, PlotsOfAnEarlierRunAreNamedAndKept) {
   for (const char* name : {"s/stress_light.svg", "s/stress_surface.png", "s/stress_old.svg"})
     at_.folder.write(name, "old");
   const Names run_without{"/usr/bin/env", "PATH=/nowhere",  RAYTRACING_PROGRAM,
@@ -60,10 +60,10 @@ TEST_F(StressCommand, PicturesOfAnEarlierRunAreToldAndKept) {
                           "--seeds=1",    "--methods=line", "--quiet"};
   RunOptions options;
   options.folder = at_.folder.path();
-  const std::string told = run_any(run_without, options).err;
-  EXPECT_NE(told.find("warning: s: left by an earlier run: stress_light.svg, stress_surface.png\n"),
+  const std::string err = run_any(run_without, options).err;
+  EXPECT_NE(err.find("warning: s: left by an earlier run: stress_light.svg, stress_surface.png\n"),
             std::string::npos)
-      << told;
+      << err;
   if (std::system("gnuplot --version >/dev/null 2>&1") == 0) {
     EXPECT_EQ(stress({"--case=terminator", "--seeds=1", "--methods=line", "--quiet"}).err,
               "warning: s: left by an earlier run: stress_light.svg\n");
@@ -85,7 +85,7 @@ TEST_F(StressCommand, ASignalEndsItWithoutResults) {
   EXPECT_TRUE(std::filesystem::is_empty(at_.folder / "s"));
 }
 
-// Ctrl-C reaches the whole group of processes; drawing goes on.
+// Ctrl-C reaches the whole process group; gnuplot continues.
 TEST_F(StressCommand, ASignalToAllLeavesGnuplotAlone) {
   at_.folder.write("gnuplot",
                    "#!/bin/sh\nkill -INT -- -$PPID\nsleep 0.1\n"
