@@ -2,19 +2,23 @@
 
 #include <cstdio>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "commands.h"
 #include "common_options.h"
-#include "comparison.h"
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
+#include "raytracing/render/provenance.h"
+#include "raytracing/study/metrics/error_metrics.h"
 #include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
+#include "raytracing/study/metrics/z_scores.h"
 
 namespace raytracing {
 namespace {
@@ -41,14 +45,14 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
                "cyan, pixels outside the mask grey.");
   options.text("--z-scores", a.z_scores, "FILE",
                "Write the z-score of each channel of each pixel to this .exr file; NaN where it is "
-               "undefined. Both images need variance channels.");
+               "undefined. At least one image needs variance channels.");
   options.real("--max-relmse", a.max_relmse, 0, std::numeric_limits<double>::max(),
                "Fail with exit code 1 if relMSE is above X or A contains pixels that are not "
                "finite.");
   options.text("--json", a.json, "FILE", "Write all values and their formulas as JSON.");
   options.footer(
       "The input is also invalid (3) if the images differ in size, the mask selects no pixel, or\n"
-      "--z-scores is given for images without variance channels.\n");
+      "--z-scores is given but no image has variance channels.\n");
   a.text = options.parse(arguments.values);
   if (a.text) return a;
   if (a.reference.empty()) throw_usage("two images are needed");
@@ -57,6 +61,143 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
   if (!a.z_scores.empty() && image_format(a.z_scores) != ImageFormat::exr)
     throw_usage("--z-scores: " + a.z_scores + " is not an .exr file; z-scores may be negative");
   return a;
+}
+
+/// The images x and r, and all values that compare them.
+struct Comparison {
+  std::string test_path, reference_path;
+  ErrorMetrics metrics;
+  double flip;
+  std::optional<ZScores> z;
+  ExpectedScores expected;
+};
+
+// A value of the comparison, as it appears in the table and in the JSON file.
+struct Row {
+  const char* key;
+  std::string label;
+  std::variant<double, std::uint64_t> value;
+  std::string formula;
+};
+
+std::vector<Row> metric_rows(const ErrorMetrics& m, double flip) {
+  const std::string epsilon = fmt::format("{}", kRelMseEpsilon);
+  const std::string at =
+      m.largest_x < 0 ? "" : fmt::format(" of a channel, at pixel {},{}", m.largest_x, m.largest_y);
+  return {
+      {"mse", "MSE", m.mse, "mean (x-r)^2"},
+      {"rmse", "RMSE", m.rmse, "sqrt(MSE)"},
+      {"relmse", "relMSE", m.relmse, "mean (x-r)^2 / (r^2 + " + epsilon + ")"},
+      {"mae", "MAE", m.mae, "mean |x-r|"},
+      {"psnr", "PSNR", m.psnr, "10 log10(1 / MSE) dB, for a peak of 1"},
+      {"smape", "SMAPE", m.smape, "mean |x-r| / (|x| + |r| + " + epsilon + ")"},
+      {"flip", "FLIP", flip,
+       fmt::format("mean LDR-FLIP, {} pixels per degree, values clamped to 0..1, NaN to 0",
+                   kFlipPixelsPerDegree)},
+      {"mean_ratio_r", "mean ratio R", m.mean_ratio.x, "mean x / mean r"},
+      {"mean_ratio_g", "mean ratio G", m.mean_ratio.y, "mean x / mean r"},
+      {"mean_ratio_b", "mean ratio B", m.mean_ratio.z, "mean x / mean r"},
+      {"largest", "largest", m.largest, "|x-r|" + at},
+      {"non_finite_test", "non-finite x", m.non_finite_test, "pixels, excluded from the means"},
+      {"non_finite_reference", "non-finite r", m.non_finite_reference,
+       "pixels, excluded from the means"},
+  };
+}
+
+std::vector<Row> z_rows(const ZScores& z, const ExpectedScores& e) {
+  const auto share = [&e](double expected) {
+    if (e.overstated)
+      return fmt::format("expected below {:.4f}: sobol variances are overestimated", expected);
+    return fmt::format("expected {:.4f}{}", expected,
+                       e.degrees == 0 ? "" : fmt::format(", Student's t with {}", e.degrees));
+  };
+  return {
+      {"z_share_1.96", "|z| > 1.96", z.share_196,
+       "share; z = (x-r) / sqrt(var x + var r); " + share(e.share_196)},
+      {"z_share_3", "|z| > 3", z.share_3, "share; " + share(e.share_3)},
+      {"z_mean", "mean z", z.mean, "expected 0, for many samples"},
+      {"z_rms", "RMS z", z.rms,
+       fmt::format("sqrt(mean z^2); expected {}{:.3g}", e.overstated ? "below " : "", e.rms)},
+      {"z_scores", "z-scores", z.scores, "channels of pixels with a variance"},
+      {"z_no_variance_equal", "var 0, x = r", z.no_variance_equal, "channels without a z-score"},
+      {"z_no_variance_different", "var 0, x != r", z.no_variance_different,
+       "channels without a z-score"},
+      {"z_not_finite", "non-finite z", z.not_finite, "channels without a z-score"},
+  };
+}
+
+std::vector<Row> rows(const Comparison& c) {
+  std::vector<Row> result = metric_rows(c.metrics, c.flip);
+  if (!c.z) return result;
+  for (const Row& row : z_rows(*c.z, c.expected)) result.push_back(row);
+  return result;
+}
+
+void add_notes_on(const ImageData& image, const RunFacts& facts, const std::string& path,
+                  std::vector<std::string>& notes) {
+  if (facts.light_sampling_biased == true)
+    notes.push_back(fmt::format(
+        "note: {}: rendered by {}, a biased method that does not converge to the true image", path,
+        facts.light_sampling.value_or("an unknown method")));
+  if (facts.complete == false)
+    notes.push_back(fmt::format("warning: {}: the rendering was stopped early", path));
+  if (has_correlated_pixels(facts))
+    notes.push_back(fmt::format("note: {}: {}", path, *facts.pixel_correlation));
+  if (image.integer_bits > 0)
+    notes.push_back(fmt::format("note: {}: {} bits per channel; values above 1 are clipped", path,
+                                image.integer_bits));
+}
+
+// A table with the name, value and formula in each row.
+std::string comparison_text(const Comparison& c) {
+  std::string text =
+      fmt::format("x = {}\nr = {}\nmeans over R, G and B of {} pixels\n", one_line(c.test_path),
+                  one_line(c.reference_path), c.metrics.pixels);
+  for (const Row& row : rows(c)) {
+    const double* real = std::get_if<double>(&row.value);
+    const std::string number =
+        real ? fmt::format("{:.6g}", *real) : fmt::format("{}", std::get<std::uint64_t>(row.value));
+    text += fmt::format("{:<14} {:>12}  {}\n", row.label, number, row.formula);
+  }
+  return text;
+}
+
+// The same as a JSON object. Its key "formulas" maps each name to its formula; values that are not
+// finite become null.
+std::string comparison_json(const Comparison& c) {
+  nlohmann::ordered_json j, formulas;
+  j["test"] = c.test_path;
+  j["reference"] = c.reference_path;
+  j["pixels"] = c.metrics.pixels;
+  for (const Row& row : rows(c)) {
+    std::visit([&](auto v) { j[row.key] = v; }, row.value);
+    formulas[row.key] = row.formula;
+  }
+  j["largest_pixel"] = nullptr;
+  if (c.metrics.largest_x >= 0) j["largest_pixel"] = {c.metrics.largest_x, c.metrics.largest_y};
+  j["epsilon"] = kRelMseEpsilon;
+  j["formulas"] = formulas;
+  return j.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+// What the headers of the images say against the comparison, one line each: they show different
+// scenes, have the same random numbers, or are biased, unfinished or stored with 8 bits.
+std::vector<std::string> header_notes(const ImageData& test, const std::string& test_path,
+                                      const ImageData& reference,
+                                      const std::string& reference_path) {
+  std::vector<std::string> notes;
+  const RunFacts x = facts_of(test.metadata), r = facts_of(reference.metadata);
+  const bool both = x.scene_hash && r.scene_hash;
+  if (both && x.scene_hash != r.scene_hash)
+    notes.push_back(fmt::format("warning: the images show different scenes (scene_hash {} and {})",
+                                *x.scene_hash, *r.scene_hash));
+  if (both && x.scene_hash == r.scene_hash && x.seed && x.seed == r.seed && x.sampler &&
+      x.sampler == r.sampler)
+    notes.push_back(
+        "note: both images were rendered with the same seed; their errors are not independent");
+  add_notes_on(test, x, test_path, notes);
+  add_notes_on(reference, r, reference_path, notes);
+  return notes;
 }
 
 // An optional output, created before the work is done.

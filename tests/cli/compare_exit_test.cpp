@@ -84,19 +84,21 @@ TEST(CompareExit, HeadersSpeakAgainstTheComparison) {
   write("alone.exr", {{"pixel_correlation", "none: independent"}});
   write("alike.exr", {{"pixel_correlation", "errors are alike"}});
   const std::string same =
-      "note: both pictures have the same seed: their errors are not independent\n";
+      "note: both images were rendered with the same seed; their errors are not independent\n";
   for (const auto& [a, b, notes] : std::vector<std::array<std::string, 3>>{
            {"plain.exr", "plain.exr", ""},
            {"plain.exr", "one.exr", ""},
            {"one.exr", "seed.exr", ""},
            {"one.exr", "one.exr", same},
-           {"one.exr", "other.exr", "warning: of different scenes: scene_hash 01 and 02\n"},
+           {"one.exr", "other.exr",
+            "warning: the images show different scenes (scene_hash 01 and 02)\n"},
            {"plain.exr", "biased.exr",
-            "note: biased.exr: made by the biased method line-ratio: more samples do not bring it "
-            "to the true picture\n"},
+            "note: biased.exr: rendered by line-ratio, a biased method that does not converge to "
+            "the "
+            "true image\n"},
            {"plain.exr", "alone.exr", ""},
            {"alike.exr", "plain.exr", "note: alike.exr: errors are alike\n"},
-           {"part.exr", "plain.exr", "warning: part.exr: its rendering was stopped early\n"}}) {
+           {"part.exr", "plain.exr", "warning: part.exr: the rendering was stopped early\n"}}) {
     const RunResult run = folder.compare({a, b, "--max-relmse", "0"});
     EXPECT_EQ(run.exit_code, 0) << a << " " << b;
     EXPECT_EQ(run.err, notes) << a << " " << b;
@@ -108,7 +110,7 @@ TEST(CompareExit, ALineBreakInAFileNameMakesNoSecondLine) {
   folder.write("a\nb.exr", rgb_picture(1, 1, {1, 1, 1}, {{"complete", false}}));
   const RunResult run = folder.compare({"a\nb.exr", "a\nb.exr"});
   EXPECT_EQ(run.exit_code, 0);
-  const std::string note = "warning: a b.exr: its rendering was stopped early\n";
+  const std::string note = "warning: a b.exr: the rendering was stopped early\n";
   EXPECT_EQ(run.err, note + note);
   EXPECT_TRUE(run.out.starts_with("x = a b.exr\nr = a b.exr\n")) << run.out;
 }
@@ -118,7 +120,7 @@ TEST(CompareExit, RenderedPicturesCarryWhatTheNotesNeed) {
   ASSERT_EQ(folder.render({"-o", "a.exr", "--light-sampling", "line-ratio"}).exit_code, 0);
   ASSERT_EQ(folder.render({"-o", "b.exr", "--seed", "2", "--variance"}).exit_code, 0);
   const std::string notes = folder.compare({"a.exr", "b.exr"}).err;
-  EXPECT_EQ(notes.substr(0, 41), "note: a.exr: made by the biased method li");
+  EXPECT_EQ(notes.substr(0, 45), "note: a.exr: rendered by line-ratio, a biased");
   EXPECT_NE(notes.find("note: b.exr: errors of pixels less than 16 apart are correlated"),
             std::string::npos)
       << notes;

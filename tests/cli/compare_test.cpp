@@ -27,11 +27,11 @@ TEST(Compare, PrintsNumbersWithTheirFormulas) {
         "\nMAE               0.0833333  mean |x-r|\n",
         "\nPSNR                13.8021  10 log10(1 / MSE) dB, for a peak of 1\n",
         "\nSMAPE             0.0551876  mean |x-r| / (|x| + |r| + 0.01)\n", "\nFLIP ",
-        "  mean LDR-FLIP, 67 pixels per degree, values cut off to 0..1, NaN to 0\n",
+        "  mean LDR-FLIP, 67 pixels per degree, values clamped to 0..1, NaN to 0\n",
         "\nmean ratio G              1  mean x / mean r\n",
         "\nmean ratio B           0.75  mean x / mean r\n",
         "\nlargest                 0.5  |x-r| of a channel, at pixel 1,0\n",
-        "\nnon-finite x              0  pixels, left out of the means\n"})
+        "\nnon-finite x              0  pixels, excluded from the means\n"})
     EXPECT_NE(run.out.find(line), std::string::npos) << line << "\n" << run.out;
   EXPECT_EQ(run.out.find("|z|"), std::string::npos);
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.exr"}));
@@ -102,7 +102,7 @@ TEST(Compare, PngDiffersFromExrByQuantisationOnly) {
   folder.write("b.exr", image);
   const RunResult run = folder.compare({"a.png", "b.exr", "--json", "j"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(run.err, "note: a.png: 8 bits a channel, and light beyond 1 is cut off\n");
+  EXPECT_EQ(run.err, "note: a.png: 8 bits per channel; values above 1 are clipped\n");
   const nlohmann::json j = folder.json("j");
   EXPECT_LT(j["largest"], 0.004461);
   EXPECT_GT(j["largest"], 0.004);
