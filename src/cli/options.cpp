@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <sstream>
 #include <system_error>
 
 #include "raytracing/io/errors.h"
@@ -17,18 +18,6 @@ constexpr std::size_t kHelpWidth = 98, kDescriptionWidth = 68;
 constexpr const char* kExitCodes =
     "Exit codes: 0 success, 1 failed check or unexpected error, 2 invalid command line,\n"
     "3 invalid input, 4 output not written, 128 + N stopped by signal N.\n";
-
-// Replaces spaces by line breaks so that no line is longer than `width` where words allow it.
-std::string wrapped(std::string text, std::size_t width) {
-  std::size_t line = 0, last_space = std::string::npos;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ' ') last_space = i;
-    if (i - line < width || last_space == std::string::npos || last_space < line) continue;
-    text[last_space] = '\n';
-    line = last_space + 1;
-  }
-  return text;
-}
 
 // CLI11 separates groups by two blank lines.
 std::string without_double_blank_lines(std::string text) {
@@ -161,6 +150,22 @@ std::vector<std::string> split_list(const std::string& text) {
       parts.back() += c;
   }
   return parts;
+}
+
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+  std::string result;
+  std::size_t line = 0;  // where the text of the current line begins
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (result.size() > line && result.size() + 1 + word.size() - line > width) {
+      result += '\n' + std::string(indent, ' ');
+      line = result.size();
+    } else if (!result.empty()) {
+      result += ' ';
+    }
+    result += word;
+  }
+  return result;
 }
 
 std::string alternatives(const std::vector<std::string>& names) {

@@ -110,6 +110,10 @@ std::size_t index_of_name(std::string_view option, const std::string& text,
 /// The items of a comma-separated list.
 std::vector<std::string> split_list(const std::string& text);
 
+/// The text with line breaks between words so that no line is longer than `width` bytes; further
+/// lines are indented by `indent` spaces.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent = 0);
+
 /// "a, b or c"
 std::string alternatives(const std::vector<std::string>& names);
 

@@ -31,9 +31,11 @@ struct StressArguments : RunArguments {
 
 std::string cases_text() {
   std::string text = "Cases, with the parameter that each one varies and its range:\n";
-  for (const StressCase& c : stress_cases())
-    text += fmt::format("  {:<16}{}: {} .. {}\n", c.name, c.parameter, c.settings.front().label,
-                        c.settings.back().label);
+  for (const StressCase& c : stress_cases()) {
+    const std::string sweep =
+        fmt::format("{}: {} .. {}", c.parameter, c.settings.front().label, c.settings.back().label);
+    text += fmt::format("  {:<16}{}\n", c.name, wrapped(sweep, 80, 18));
+  }
   return text;
 }
 
