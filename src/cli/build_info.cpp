@@ -98,9 +98,9 @@ std::string version_text() {
       "build: {}\n"
       "instruction set: {}\n"
       "ray queries: {}\n"
-      "read: OBJ, MTL, TOML\n"
-      "read and written: EXR by OpenEXR {}, PNG by libpng {}\n"
-      "pictures judged, in the tests, by OpenImageIO {}\n",
+      "scenes: TOML, OBJ, MTL\n"
+      "images: EXR by OpenEXR {}, PNG by libpng {}\n"
+      "images in the tests: OpenImageIO {}\n",
       program_version(), build_description(), instruction_set(), embree_version(),
       OPENEXR_VERSION_STRING, PNG_LIBPNG_VER_STRING, OIIO_VERSION_STRING);
 }

@@ -141,9 +141,10 @@ void write_results(const StressResult& result, const StressPlan& plan, const Res
   RunFacts facts = program_facts();
   facts.command = command_line;
   facts.line_rays = plan.line_rays;
-  facts.seeds = std::to_string(plan.seeds);
+  auto rows = fact_rows(facts);
+  rows.emplace_back("number of seeds", std::to_string(plan.seeds));
   folder.write("stress.html",
-               report_html(stress_report(result, folder.path(), !drawn.empty(), fact_rows(facts))));
+               report_html(stress_report(result, folder.path(), !drawn.empty(), std::move(rows))));
   warn_of_old_plots(drawn, folder);
 }
 

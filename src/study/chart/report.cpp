@@ -223,7 +223,7 @@ Report chart_report(const ChartSettings& settings, const ChartSummary& summary, 
         {"Error against samples per pixel", read_file(settings.folder + "/error_vs_spp.svg")}};
   report.tables = chart_tables(summary);
   report.facts = std::move(facts);
-  report.facts.emplace_back("seeds", std::to_string(settings.seeds));
+  report.facts.emplace_back("number of seeds", std::to_string(settings.seeds));
   report.facts.emplace_back("noise of the reference", truth.reference.variance_source);
   return report;
 }

@@ -59,7 +59,12 @@ Json to_json(const ReportChart& chart) {
 }
 
 Json to_json(const std::pair<std::string, std::string>& fact) {
-  return {{"name", fact.first}, {"value", fact.second}};
+  const auto fields = fact_fields();
+  const auto known = std::find_if(fields.begin(), fields.end(),
+                                  [&](const FactField& field) { return field.name == fact.first; });
+  return {{"name", fact.first},
+          {"value", fact.second},
+          {"meaning", known == fields.end() ? "" : known->meaning}};
 }
 
 // One part of the page with its heading; null leaves it out.
