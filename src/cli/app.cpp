@@ -8,12 +8,22 @@
 
 #include "build_info.h"
 #include "commands.h"
+#include "options.h"
 #include "raytracing/io/errors.h"
 
 namespace raytracing {
 namespace {
 
 constexpr const char* kStdoutFailed = "standard output: cannot be written";
+
+int run_command(const Invocation& invocation) {
+  try {
+    return invocation.command->run(invocation.arguments);
+  } catch (const TextRequest& request) {
+    fmt::print("{}", request.text);
+    return kExitGood;
+  }
+}
 
 int fail(int code, const std::string& message) {
   fmt::print(stderr, "Raytracing: {}\n", one_line(message));
@@ -29,7 +39,7 @@ int run(int argc, char** argv) {
                "with cmake --preset release\n");
   try {
     const Invocation invocation(argc, argv);
-    const int code = invocation.command->run(invocation.arguments);
+    const int code = run_command(invocation);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw OutputError(kStdoutFailed);
     return code;
   } catch (const UsageError& error) {

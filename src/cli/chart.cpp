@@ -23,48 +23,45 @@ namespace {
 constexpr std::uint64_t kMaxSeeds = std::uint64_t{1} << 20;  // see run_seed()
 
 struct ChartArguments : SceneArguments {
-  std::string folder;
-  std::vector<const DirectMethod*> methods;
-  std::vector<std::uint64_t> spp{1, 2, 4, 8, 16, 32, 64};
-  std::uint64_t seeds = 8;
-  std::string reference = "auto";  ///< or a file
-  double reference_time = 60;      ///< seconds
-  std::string mask;                ///< "" = none
+  ChartRequest request;
 };
 
-void add_measurement_options(OptionList& options, ChartArguments& a) {
-  add_methods_option(options, a.methods);
+void add_measurement_options(OptionList& options, ChartRequest& request) {
+  ChartSettings& s = request.settings;
+  s.spp = {1, 2, 4, 8, 16, 32, 64};
+  add_methods_option(options, s.methods);
   options.list(
-      "--spp", a.spp, "N,N,...",
+      "--spp", s.spp, "N,N,...",
       [](const std::string& text) { return whole_number("--spp", text, 1, kMaxSpp); },
-      fmt::format("Sample counts per pixel. Default: {}.", fmt::join(a.spp, ",")));
+      fmt::format("Sample counts per pixel. Default: {}.", fmt::join(s.spp, ",")));
   options.number(
-      "--seeds", a.seeds, 1, kMaxSeeds,
+      "--seeds", s.seeds, 1, kMaxSeeds,
       "Runs of each method at each sample count, each with a seed of its own; at least 2 "
       "are needed to estimate bias.");
-  options.text("--reference", a.reference, "FILE|auto",
+  options.text("--reference", request.reference, "FILE|auto",
                "Reference image in EXR format. With auto, it is rendered with seeds of its own and "
                "kept in DIR, in two halves from which its noise is estimated. The noise of other "
                "files is known if they were rendered with --variance --reuse 1 and either "
                "--sampler independent or --replicates. Default: auto.");
-  options.real("--reference-time", a.reference_time, 0.001, 1e9,
+  options.real("--reference-time", request.reference_seconds, 0.001, 1e9,
                "Seconds to spend on rendering the reference.");
-  add_mask_option(options, a.mask);
+  add_mask_option(options, request.mask);
 }
 
 ChartArguments parse_chart_arguments(const Arguments& arguments) {
   ChartArguments a;
+  ChartSettings& s = a.request.settings;
   OptionList options(
       "Measures the error of the direct-light methods over render time and over sample count, and "
       "plots it. A repeated command continues where the previous run was stopped. Pixels share no "
       "paths, as with render --reuse 1.",
       "Raytracing chart");
   add_scene_option(options, a.scene);
-  options.text("--out", a.folder, "DIR",
+  options.text("--out", s.folder, "DIR",
                "Folder for tables, charts and report.html. The images of all runs are kept in its "
                "folder runs, with at most 12 bytes per pixel.");
   options.group("Measurement");
-  add_measurement_options(options, a);
+  add_measurement_options(options, a.request);
   options.group("Image");
   add_size_options(options, a);
   options.group("Sampling");
@@ -74,19 +71,18 @@ ChartArguments parse_chart_arguments(const Arguments& arguments) {
   add_run_options(options, a);
   options.footer("\nA size of 256 x 256 pixels suffices for most charts.\nErrors are relMSE = " +
                  relmse_formula() + " over pixels and channels.\n");
-  a.text = options.parse(arguments.values);
-  if (a.text) return a;
-  std::sort(a.spp.begin(), a.spp.end());
+  options.parse(arguments.values);
+  std::sort(s.spp.begin(), s.spp.end());
   resolve_scene(a.scene);
-  if (a.folder.empty()) throw_usage("--out: no folder given");
+  if (s.folder.empty()) throw_usage("--out: no folder given");
   return a;
 }
 
+// The settings of the command line, completed from the scene file.
 ChartRequest chart_request(const ChartArguments& a, const SceneFile& file,
                            const std::string& command_line) {
-  ChartRequest request;
+  ChartRequest request = a.request;
   ChartSettings& s = request.settings;
-  s.folder = a.folder;
   s.scene_path = a.scene;
   s.scene_hash = file.hash;
   s.width = a.width.value_or(file.width);
@@ -95,15 +91,9 @@ ChartRequest chart_request(const ChartArguments& a, const SceneFile& file,
   s.sampler = a.sampler;
   s.line_rays = a.line_rays;
   s.threads = a.threads;
-  s.methods = a.methods;
-  s.spp = a.spp;
-  s.seeds = a.seeds;
   s.made_by = program_facts();
   s.made_by.program = program_hash();
   s.made_by.command = command_line;
-  request.reference = a.reference;
-  request.reference_seconds = a.reference_time;
-  request.mask = a.mask;
   return request;
 }
 
@@ -119,7 +109,7 @@ class ChartDisplay : public ChartListener {
     fmt::print(stderr, "warning: {}\n", one_line(line));
   }
   void file_written(const std::string& name) override {
-    if (!a_.quiet) fmt::print("{}/{}\n", a_.folder, name);
+    if (!a_.quiet) fmt::print("{}/{}\n", a_.request.settings.folder, name);
   }
   void progress_began() override { progress_.emplace(a_.shown_progress()); }
   void progress(std::uint64_t done, std::uint64_t total) override {
@@ -145,16 +135,13 @@ int exit_code(ChartEnd end, int signal) {
 
 int chart_command(const Arguments& arguments) {
   const ChartArguments a = parse_chart_arguments(arguments);
-  if (a.text) {
-    fmt::print("{}", *a.text);
-    return kExitGood;
-  }
   SceneInput input(a.scene, a.quiet, false);
   const ChartRequest request = chart_request(a, input.file(), arguments.command_line);
   const StopOnSignal signals;
   const auto asks_segments = [](const DirectMethod* m) { return m->asks_segments; };
+  const auto& methods = request.settings.methods;
   const bool segments = asks_segments(&reference_method(a.max_depth)) ||
-                        std::any_of(a.methods.begin(), a.methods.end(), asks_segments);
+                        std::any_of(methods.begin(), methods.end(), asks_segments);
   const Scene& scene = input.build(request.settings.height, a.threads, segments);
   ChartDisplay display(a);
   const ChartEnd end = make_chart(scene, request, signals.stop(), display);

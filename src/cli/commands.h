@@ -18,7 +18,7 @@ struct Arguments {
 struct Command {
   std::string_view name;
   std::string_view summary;
-  /// Returns the exit code. Throws UsageError, InputError and OutputError.
+  /// Returns the exit code. Throws UsageError, InputError, OutputError and TextRequest.
   int (*run)(const Arguments&);
 };
 

@@ -20,7 +20,6 @@ struct RunArguments {
   int threads;  ///< by default, as many as the hardware runs at once
   ProgressStyle progress = ProgressStyle::automatic;
   bool quiet = false;
-  std::optional<std::string> text;  ///< printed instead of running: the help, for example
 
   ProgressStyle shown_progress() const { return quiet ? ProgressStyle::none : progress; }
 };

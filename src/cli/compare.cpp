@@ -27,7 +27,6 @@ struct CompareArguments {
   std::string test, reference;
   std::string mask, diff, z_scores, json;  // "" = none
   std::optional<double> max_relmse;
-  std::optional<std::string> text;  // printed instead of comparing: the help
 };
 
 CompareArguments parse_compare_arguments(const Arguments& arguments) {
@@ -53,8 +52,7 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
   options.footer(
       "The input is also invalid (3) if the images differ in size, the mask selects no pixel, or\n"
       "--z-scores is given but no image has variance channels.\n");
-  a.text = options.parse(arguments.values);
-  if (a.text) return a;
+  options.parse(arguments.values);
   if (a.reference.empty()) throw_usage("two images are needed");
   if (!a.diff.empty()) image_format(a.diff);
   check_distinct({a.test, a.reference, a.mask}, {a.diff, a.z_scores, a.json});
@@ -232,10 +230,6 @@ bool within_limit(const ErrorMetrics& m, const std::optional<double>& limit) {
 
 int compare_command(const Arguments& arguments) {
   const CompareArguments a = parse_compare_arguments(arguments);
-  if (a.text) {
-    fmt::print("{}", *a.text);
-    return kExitGood;
-  }
   const ImageData test = read_image(a.test), reference = read_image(a.reference);
   if (test.width != reference.width || test.height != reference.height)
     throw InputError(fmt::format("{}: {}x{} pixels, but {} has {}x{}", a.test, test.width,

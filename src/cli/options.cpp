@@ -74,7 +74,7 @@ void OptionList::parsed(const std::string& name, const char* type, const Parser&
   describe(app_->add_option_function<std::string>(name, parser), type, description);
 }
 
-std::optional<std::string> OptionList::parse(const std::vector<std::string>& arguments) {
+void OptionList::parse(const std::vector<std::string>& arguments) {
   try {
     app_->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ExtrasError&) {
@@ -82,11 +82,10 @@ std::optional<std::string> OptionList::parse(const std::vector<std::string>& arg
   } catch (const CLI::ArgumentMismatch& error) {
     throw_mismatch(error.what());
   } catch (const CLI::CallForHelp&) {
-    return without_double_blank_lines(app_->help()) + kExitCodes + footer_;
+    throw TextRequest{without_double_blank_lines(app_->help()) + kExitCodes + footer_};
   } catch (const CLI::ParseError& error) {
     throw_usage(error.what());
   }
-  return std::nullopt;
 }
 
 std::vector<std::string> OptionList::names() const {

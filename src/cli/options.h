@@ -20,6 +20,11 @@ class Option;
 
 namespace raytracing {
 
+/// Thrown to print a text, such as the help, instead of running the subcommand.
+struct TextRequest {
+  std::string text;
+};
+
 /// The options of one subcommand. Each function below defines an option together with its help
 /// text, so that the help and the parser cannot disagree. An OptionList keeps references to the
 /// fields that it fills; they must outlive it.
@@ -71,10 +76,9 @@ class OptionList {
   void list(const std::string& name, std::vector<Item>& field, const char* type, Parse parse,
             const std::string& description);
 
-  /// Fills the fields from a command line without program and subcommand names. Returns the help
-  /// text if the command line asks for it. Throws UsageError, which suggests the nearest option for
-  /// an unknown one.
-  std::optional<std::string> parse(const std::vector<std::string>& arguments);
+  /// Fills the fields from a command line without program and subcommand names. Throws TextRequest
+  /// if it asks for the help, and UsageError, which suggests the nearest option for an unknown one.
+  void parse(const std::vector<std::string>& arguments);
 
  private:
   template <class Field>

@@ -157,10 +157,6 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
 
 int render_command(const Arguments& arguments) {
   const RenderArguments a = parse_render_arguments(arguments);
-  if (a.text) {
-    fmt::print("{}", *a.text);
-    return kExitGood;
-  }
   SceneInput input(a.scene, a.quiet, a.strict);
   const StopOnSignal signals;  // before there are temporary files to leave behind
   const RenderOptions options = render_options(a, input.file());

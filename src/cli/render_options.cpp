@@ -136,10 +136,9 @@ RenderArguments parse_render_arguments(const Arguments& arguments) {
   });
   options.footer("\n" + subcommands_text() + "Methods for direct light:\n" + methods_text());
 
-  a.text = options.parse(arguments.values);
-  if (!a.text && list_methods) a.text = methods_text();
-  if (!a.text && version) a.text = version_text();
-  if (a.text) return a;
+  options.parse(arguments.values);
+  if (list_methods) throw TextRequest{methods_text()};
+  if (version) throw TextRequest{version_text()};
   resolve_scene(a.scene, is_word(a.scene) ? subcommand_hint(a.scene) : "");
   for (const std::string& output : a.outputs) image_format(output);
   return a;

@@ -62,8 +62,7 @@ StressArguments parse_stress_arguments(const Arguments& arguments) {
   options.group("Execution");
   add_run_options(options, a);
   options.footer("\n" + cases_text());
-  a.text = options.parse(arguments.values);
-  if (a.text) return a;
+  options.parse(arguments.values);
   for (const std::string& name : names) index_of_name("--case", name, stress_case_names());
   for (const StressCase& c : stress_cases())  // in the order of the table
     if (names.empty() || std::find(names.begin(), names.end(), c.name) != names.end())
@@ -169,10 +168,6 @@ int exit_code(const StressResult& result) {
 
 int stress_command(const Arguments& arguments) {
   const StressArguments a = parse_stress_arguments(arguments);
-  if (a.text) {
-    fmt::print("{}", *a.text);
-    return kExitGood;
-  }
   const StopOnSignal signals;  // before there are temporary files to leave behind
   const ResultFolder folder(a);
   ProgressDisplay display(a.shown_progress());
