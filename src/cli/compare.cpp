@@ -191,7 +191,7 @@ std::vector<std::string> header_notes(const ImageData& test, const std::string& 
                                 *x.scene_hash, *r.scene_hash));
   if (both && x.scene_hash == r.scene_hash && x.seed && x.seed == r.seed && x.sampler &&
       x.sampler == r.sampler)
-    notes.push_back(
+    notes.emplace_back(
         "note: both images were rendered with the same seed; their errors are not independent");
   add_notes_on(test, x, test_path, notes);
   add_notes_on(reference, r, reference_path, notes);
