@@ -47,24 +47,16 @@ class StringStream : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-void insert_attribute(Imf::Header& header, const char* name, const std::string& value) {
-  header.insert(name, Imf::StringAttribute(value));
-}
-
-void insert_attribute(Imf::Header& header, const char* name, double value) {
-  header.insert(name, Imf::DoubleAttribute(value));
-}
-
-void insert_attribute(Imf::Header& header, const char* name, bool value) {
-  insert_attribute(header, name, to_text(value));  // EXR has no attribute that is true or false
-}
-
-// EXR has no 64-bit integers: what does not fit 32 bits becomes text, so that no digit is lost.
-void insert_attribute(Imf::Header& header, const char* name, std::int64_t value) {
-  if (value >= INT32_MIN && value <= INT32_MAX)
-    header.insert(name, Imf::IntAttribute(static_cast<std::int32_t>(value)));
+// EXR knows neither 64-bit integers nor truth values: what does not fit a type of EXR becomes text,
+// so that no digit is lost.
+void insert_attribute(Imf::Header& header, const char* name, const FactValue& value) {
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  if (whole && *whole >= INT32_MIN && *whole <= INT32_MAX)
+    header.insert(name, Imf::IntAttribute(static_cast<std::int32_t>(*whole)));
+  else if (const auto* real = std::get_if<double>(&value))
+    header.insert(name, Imf::DoubleAttribute(*real));
   else
-    insert_attribute(header, name, std::to_string(value));
+    header.insert(name, Imf::StringAttribute(to_text(value)));
 }
 
 Imf::Header make_header(const ImageData& image) {
@@ -76,9 +68,7 @@ Imf::Header make_header(const ImageData& image) {
     // A second attribute of this name, or one that EXR defines, would be replaced silently.
     if (header.find(name) != header.end())
       throw OutputError("an image's attribute '" + name + "' is taken");
-    // A lambda could not capture a structured binding before C++20 was amended.
-    const char* const attribute = name.c_str();
-    std::visit([&](const auto& v) { insert_attribute(header, attribute, v); }, value);
+    insert_attribute(header, name.c_str(), value);
   }
   return header;
 }
@@ -108,7 +98,7 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
 Imf::Header read_header(const std::string& bytes, Imf::IStream& stream) {
   if (bytes.size() <= kMagicAndVersion) throw InputError("its header is cut off");
   auto version = static_cast<int>(word_at(bytes, 4));
-  if (version & Imf::NON_IMAGE_FLAG) throw InputError("deep pictures cannot be read");
+  if (version & Imf::NON_IMAGE_FLAG) throw InputError("deep images cannot be read");
   check_exr_header_sizes(bytes);
   stream.seekg(kMagicAndVersion);
   Imf::Header header;
@@ -228,7 +218,7 @@ ImageData decode_exr(const std::string& bytes) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(std::string("damaged EXR picture: ") + error.what());
+    throw InputError(std::string("damaged EXR image: ") + error.what());
   }
 }
 

@@ -71,12 +71,9 @@ std::string temporary_name(const std::string& path) {
 }
 
 std::uint64_t load_little_endian(const char* bytes, std::size_t count) {
+  static_assert(std::endian::native == std::endian::little);
   std::uint64_t word = 0;
-  if constexpr (std::endian::native == std::endian::little)
-    std::memcpy(&word, bytes, count);
-  else
-    for (std::size_t i = 0; i < count; ++i)
-      word |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+  std::memcpy(&word, bytes, count);
   return word;
 }
 

@@ -43,7 +43,7 @@ constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
 ImageData decode(const std::string& bytes) {
   if (bytes.starts_with(kExrMagic)) return decode_exr(bytes);
   if (bytes.starts_with(kPngMagic)) return decode_png(bytes);
-  throw InputError("neither an EXR nor a PNG picture");
+  throw InputError("neither an EXR nor a PNG image");
 }
 
 }  // namespace

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "raytracing/io/file.h"
+#include "raytracing/io/mtl.h"
+#include "raytracing/io/obj.h"
 
 namespace raytracing {
 namespace {
@@ -36,8 +40,9 @@ DVec3 rotated(DVec3 v, const Angle& x, const Angle& y, const Angle& z) {
   return v;
 }
 
-}  // namespace
-
+// Moves a mesh. Normals follow the inverse transpose and become unit vectors. A transform that
+// mirrors reverses the corners of each face, so that winding and normals still agree. Computed in
+// double and rounded once. A coordinate beyond the range of a float becomes infinite.
 void apply(const Transform& transform, PolygonMesh& mesh) {
   const Angle x(transform.rotate.x), y(transform.rotate.y), z(transform.rotate.z);
   for (Vec3& position : mesh.positions) {
@@ -58,6 +63,44 @@ void apply(const Transform& transform, PolygonMesh& mesh) {
     std::reverse(first, first + static_cast<std::ptrdiff_t>(face.corner_count));
   }
 }
+
+// The steps of load_models() and the files read so far.
+class ModelLoader {
+ public:
+  ModelLoader(SceneFile& file, LoadReport& report) : file_(file), report_(report) {}
+
+  void load(std::span<const ModelRequest> requests);
+
+ private:
+  // An OBJ file and, once some model needs them, the surfaces of its materials.
+  struct Model {
+    ObjModel obj;
+    std::optional<std::vector<std::uint32_t>> surfaces;
+    std::size_t uses_left;
+  };
+  struct Library {
+    std::vector<MtlMaterial> materials;
+    std::map<std::string, std::uint32_t> surfaces;  // surfaces of the materials used so far
+  };
+
+  void load(const ModelRequest& request);
+  std::string read_asset(const std::string& path);
+  Model& model(const ModelRequest& request);
+  // Returns null if there is no such file.
+  Library* library(const std::string& path);
+  std::vector<std::uint32_t> resolve_materials(const ObjModel& obj, const std::string& obj_path);
+  std::uint32_t resolve_material(const ObjModel::MaterialUse& use,
+                                 const std::vector<Library*>& libraries);
+  std::uint32_t add_surface(Surface surface);
+  std::uint32_t default_surface();
+
+  SceneFile& file_;
+  LoadReport& report_;
+  std::map<std::string, std::size_t> uses_;  // how many models use each OBJ file
+  std::map<std::string, Model> models_;
+  std::map<std::string, Library> libraries_;
+  std::optional<std::uint32_t> default_surface_;
+};
 
 void ModelLoader::load(std::span<const ModelRequest> requests) {
   for (const ModelRequest& request : requests) ++uses_[request.path];
@@ -152,6 +195,12 @@ std::uint32_t ModelLoader::add_surface(Surface surface) {
 std::uint32_t ModelLoader::default_surface() {
   if (!default_surface_) default_surface_ = add_surface({"default", Diffuse{}, Rgb(0.0f)});
   return *default_surface_;
+}
+
+}  // namespace
+
+void load_models(std::span<const ModelRequest> requests, SceneFile& file, LoadReport& report) {
+  ModelLoader(file, report).load(requests);
 }
 
 }  // namespace raytracing

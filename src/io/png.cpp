@@ -182,7 +182,7 @@ void check_header(const PngHeader& header, std::size_t file_bytes) {
   constexpr std::size_t kMostBytesForOne = 1032, kMostSamplesForByte = 32;  // 1 bit grey to RGBA
   check_image_size(header.width, header.height, 3);
   if (header.row_bytes * header.height / kMostSamplesForByte / kMostBytesForOne > file_bytes)
-    throw InputError("damaged PNG picture: too short for its size");
+    throw InputError("damaged PNG image: too short for its size");
   constexpr png_fixed_point kSrgbGamma = 45455, kTolerance = 500;
   if (header.gamma != 0 && std::abs(header.gamma - kSrgbGamma) > kTolerance)
     throw InputError(fmt::format("its gamma is {:.5f}, not that of sRGB", 1e-5 * header.gamma));
@@ -200,7 +200,7 @@ void check_chunk_sizes(const std::string& bytes) {
     if (length + kChecksum > bytes.size() - at) break;
     at += length + kChecksum;
   }
-  throw InputError("damaged PNG picture: cut off within a chunk");
+  throw InputError("damaged PNG image: cut off within a chunk");
 }
 
 std::vector<float> linear_values(const PngHeader& header, const std::vector<png_byte>& bytes) {
@@ -245,7 +245,7 @@ ImageData decode_png(const std::string& bytes) {
   PngError error;
   PngReader reader(rest, error);
   const auto expect = [&error](bool good) {
-    if (!good) throw InputError("damaged PNG picture: " + error.message());
+    if (!good) throw InputError("damaged PNG image: " + error.message());
   };
   PngHeader header;
   expect(reader.read_header(header));

@@ -181,7 +181,7 @@ SceneFile parse_scene(std::string_view text, const std::string& path,
   std::vector<ModelRequest> requests;  // the scene file's own errors come before its assets'
   for (const TomlTable& table : root.tables("models", kModelKeys))
     requests.push_back(read_model(table, path, surfaces));
-  ModelLoader(file, report).load(requests);
+  load_models(requests, file, report);
   return file;
 }
 

@@ -137,7 +137,7 @@ TEST(CompareExit, BadPicturesEndWithThree) {
     return folder.compare(arguments);
   };
   expect_one_line(compare({"nope.exr", "a.exr"}), 3, "nope.exr: No such file or directory");
-  expect_one_line(compare({"a.exr", "text.png"}), 3, "text.png: neither an EXR nor a PNG picture");
+  expect_one_line(compare({"a.exr", "text.png"}), 3, "text.png: neither an EXR nor a PNG image");
   expect_one_line(compare({"a.exr", "wide.exr"}), 3, "a.exr: 2x1 pixels, but wide.exr has 3x1");
   expect_one_line(compare({"a.exr", "b.exr", "--mask", "wide.exr"}), 3,
                   "wide.exr: 3x1 pixels, but the pictures have 2x1");

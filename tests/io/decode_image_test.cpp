@@ -180,7 +180,7 @@ TEST(ReadImage, RefusesWhatIsNoPicture) {
   EXPECT_EQ(refusal(folder / "nope.exr"), "No such file or directory");
   EXPECT_EQ(refusal(folder.path()), "Is a directory");
   for (const char* text : {"", "x", "\x89PNG", "RIFF and more of the like"})
-    EXPECT_EQ(refusal(folder.write("x.png", text)), "neither an EXR nor a PNG picture");
+    EXPECT_EQ(refusal(folder.write("x.png", text)), "neither an EXR nor a PNG image");
 }
 
 TEST(ReadImage, GoesByTheBytesNotTheName) {
@@ -269,7 +269,7 @@ TEST(ReadImage, RefusesChunksAndTilesThatTheFileDoesNotHold) {
   const TempDir folder;
   const std::string png = encode_image(small_picture(), ImageFormat::png);
   std::string text = png.substr(0, 33) + std::string("\x00\xf0\x00\x00tEXt", 8) + png.substr(33);
-  EXPECT_EQ(refusal(folder.write("x", text)), "damaged PNG picture: cut off within a chunk");
+  EXPECT_EQ(refusal(folder.write("x", text)), "damaged PNG image: cut off within a chunk");
 
   OIIO::ImageSpec spec(32, 32, 3, OIIO::TypeDesc::FLOAT);
   spec.tile_width = spec.tile_height = 16;

@@ -66,7 +66,7 @@ TEST(FactFields, CoverEveryMember) {
   std::size_t size = 0;
   for (const FactField& field : fact_fields())
     size += std::visit([&](auto member) { return sizeof(facts.*member); }, field.member);
-  EXPECT_LE(sizeof(RunFacts) - size, alignof(RunFacts) * 8);
+  EXPECT_LT(sizeof(RunFacts) - size, sizeof(std::optional<double>));  // padding
 }
 
 TEST(FactFields, SurviveExr) {
