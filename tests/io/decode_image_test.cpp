@@ -12,7 +12,7 @@
 #include "raytracing/io/image.h"
 #include "support/temp_dir.h"
 
-// Files that this program does not write are made by OpenImageIO.
+// OpenImageIO writes the files of kinds that this program does not write.
 
 namespace raytracing {
 namespace {
@@ -26,7 +26,7 @@ ImageData small_picture() {
   return image;
 }
 
-/// Writes the values, converted from float to `type` (integers: 1 = the largest).
+/// Writes the values, converted from float to `type`; 1 becomes the largest integer.
 template <class Value>
 std::string write_oiio(const TempDir& folder, const std::string& name, OIIO::ImageSpec spec,
                        const std::vector<Value>& values) {
@@ -81,7 +81,7 @@ TEST(ReadExr, KeepsNonFiniteValues) {
               std::bit_cast<std::uint32_t>(image.values[i]));
 }
 
-// More rows than one strip of the reader, an origin that is not 0 and tiles.
+// The image has more rows than a strip of the reader, a data window off the origin, and tiles.
 TEST(ReadExr, TakesHalfUintTilesAndAnyDataWindow) {
   const TempDir folder;
   constexpr int kWidth = 5, kHeight = 150;
@@ -132,7 +132,7 @@ TEST(ReadPng, DecodesWhatWasWritten) {
   EXPECT_EQ(back.metadata, (ImageMetadata{{"spp", std::string("64")}}));
 }
 
-// IEC 61966-2-1 by hand: 0.5 -> ((0.5 + 0.055) / 1.055)^2.4 = 0.214041, 10/255/12.92 = 0.00303527.
+// By IEC 61966-2-1: 0.5 -> ((0.5 + 0.055) / 1.055)^2.4 = 0.214041, 10/255/12.92 = 0.00303527.
 TEST(ReadPng, KnowsTheCurve) {
   EXPECT_NEAR(srgb_to_linear(0.5), 0.2140411, 1e-7);
   EXPECT_NEAR(srgb_to_linear(10 / 255.0), 0.003035270, 1e-9);
@@ -190,7 +190,7 @@ TEST(ReadImage, GoesByTheBytesNotTheName) {
             image.values);
 }
 
-// Prefixes of every third length, so that each part of a file is met.
+// Prefixes of every third length cut each part of a file.
 TEST(ReadImage, RefusesTruncatedFiles) {
   const TempDir folder;
   for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
@@ -201,7 +201,7 @@ TEST(ReadImage, RefusesTruncatedFiles) {
   }
 }
 
-// Whatever a flipped byte does: a picture or an InputError, nothing else.
+// A flipped byte leads to an image or an InputError, nothing else.
 TEST(ReadImage, SurvivesDamagedBytes) {
   const TempDir folder;
   for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
@@ -214,7 +214,7 @@ TEST(ReadImage, SurvivesDamagedBytes) {
   }
 }
 
-/// Replaces the four bytes behind `name`, whose place is `skip` bytes after its beginning.
+/// Replaces four bytes, `skip` bytes after the beginning of `name`.
 std::string with_number(std::string bytes, std::string_view name, std::size_t skip,
                         std::uint32_t value, bool big_endian) {
   const std::size_t at = bytes.find(name) + skip;
@@ -246,8 +246,8 @@ TEST(ReadImage, RefusesHugeClaimsBeforeTakingTheMemory) {
             "its header is cut off or contradicts itself");
 }
 
-// An attribute that states a size other than its type's shifts all that follows: OpenEXR would then
-// take 2 GB for a text.
+// An attribute that states a size other than that of its type shifts everything behind it: OpenEXR
+// would then allocate 2 GB for a text.
 TEST(ReadImage, RefusesAttributesThatShiftTheNext) {
   const TempDir folder;
   const std::string exr = encode_image(small_picture(), ImageFormat::exr);
@@ -264,7 +264,7 @@ TEST(ReadImage, RefusesAttributesThatShiftTheNext) {
   EXPECT_EQ(with_size("compression", "compression", 1), "read");
 }
 
-// A few bytes that would have taken 16 MB and 700 MB.
+// These few bytes once allocated 16 MB and 700 MB.
 TEST(ReadImage, RefusesChunksAndTilesThatTheFileDoesNotHold) {
   const TempDir folder;
   const std::string png = encode_image(small_picture(), ImageFormat::png);

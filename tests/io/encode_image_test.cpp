@@ -13,7 +13,7 @@
 #include "raytracing/io/image.h"
 #include "support/temp_dir.h"
 
-// OpenImageIO is an independent judge here: the program does not use it.
+// OpenImageIO reads the files back; the program does not use it.
 
 namespace raytracing {
 namespace {
@@ -25,7 +25,7 @@ struct ReadBack {
   OIIO::ImageSpec spec;
   std::vector<float> values;
 
-  /// Values of the channel of this name, pixel by pixel, top row first.
+  /// The values of a channel, pixel by pixel, top row first.
   std::vector<float> channel(const std::string& name) const {
     const auto& names = spec.channelnames;
     const auto found = std::find(names.begin(), names.end(), name);
@@ -62,7 +62,7 @@ std::vector<int> read_codes(const ImageData& image) {
   return codes;
 }
 
-/// Every value differs, so that any exchange of rows, columns or channels shows.
+/// All values differ, so that swapped rows, columns or channels are detected.
 ImageData numbered_image(int width, int height, std::vector<std::string> channels) {
   ImageData image{width, height, std::move(channels), {}, {}};
   const auto count =

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An empty folder for each test.
+// Each test has an empty folder.
 class FileTest : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return temp_ / name; }
@@ -39,7 +39,7 @@ class FileTest : public testing::Test {
   const fs::path folder_{temp_.path()};
 };
 
-// Root may write anything; this gives its rights up for a while.
+// Drops the rights of root, which may write anything, for a while.
 class WithoutRights {
  public:
   WithoutRights() : root_(::geteuid() == 0) {
@@ -194,7 +194,7 @@ TEST_F(FileTest, ReadOnlyTargetsAreFoundAtOnce) {
   EXPECT_EQ(entries(), 1u);
 }
 
-// A limit on the size of files stands for a full disk: write() comes short, then fails.
+// A limit on the size of files simulates a full disk: write() is incomplete, then fails.
 TEST_F(FileTest, FailedWriteIsAnErrorAndLeavesTheOldFile) {
   const std::string target = put("out", "old");
   rlimit before{};
@@ -245,7 +245,7 @@ TEST(HashBytes, TellsSimilarInputsApart) {
   EXPECT_NE(hash_bytes("a", 1), hash_bytes("a", 2));
 }
 
-// Turning one input bit must turn each output bit about half of the time.
+// Flipping an input bit must flip each output bit about half of the time.
 TEST(HashBytes, EveryBitCounts) {
   std::mt19937 random(1);
   for (const std::size_t length : {8u, 13u, 40u}) {

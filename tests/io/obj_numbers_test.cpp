@@ -29,7 +29,7 @@ TEST(ObjNumbers, NumberForms) {
             Vec3(3.4028235e38f, -3.4028235e38f, 3.4028235e38f));
 }
 
-// Every number must be the float nearest to the decimal, also midway between two floats.
+// Every number must be the float nearest to the decimal, even midway between two floats.
 TEST(ObjNumbers, NumbersAreRoundedCorrectly) {
   std::mt19937_64 random(9);
   std::vector<std::string> words = {"16777217",
@@ -47,7 +47,7 @@ TEST(ObjNumbers, NumbersAreRoundedCorrectly) {
     const double midway = (double{value} + double{std::nextafter(value, 0.0f)}) / 2;
     words.emplace_back(digits, std::to_chars(digits, digits + 64, value).ptr);
     words.emplace_back(digits, std::to_chars(digits, digits + 64, midway).ptr);
-    // 16 digits come close enough to fall on the midway double without being it.
+    // 16 digits round to the double midway between two floats without being equal to it.
     const double small = std::ldexp(midway, -std::ilogb(midway) + static_cast<int>(random() % 20));
     words.emplace_back(
         digits, std::to_chars(digits, digits + 64, small, std::chars_format::scientific, 15).ptr);
@@ -66,7 +66,7 @@ TEST(ObjNumbers, NumbersAreRoundedCorrectly) {
   }
 }
 
-// An unsigned number of any form: up to 25 digits, with or without point and exponent.
+// A random unsigned number: up to 25 digits, with or without point and exponent.
 std::string random_number(std::mt19937_64& random) {
   const auto below = [&](std::size_t n) { return static_cast<int>(random() % n); };
   const int most = below(3) == 0 ? 25 : 9;
@@ -85,7 +85,7 @@ std::string random_number(std::mt19937_64& random) {
   return word;
 }
 
-// Three million numbers, against the standard library's.
+// Three million numbers agree with the standard library.
 TEST(ObjNumbers, NumbersOfAnyFormAreRoundedCorrectly) {
   std::mt19937_64 random(11);
   std::string text, word;

@@ -142,7 +142,7 @@ TEST(Obj, LinesOfAnyLength) {
   EXPECT_EQ(parse(std::string(200'000, 'k') + "\nv 0 0 0").mesh().positions.size(), 1u);
 }
 
-// Whatever is done to a file, the parser returns a sound mesh or throws InputError.
+// For a damaged file, the parser returns a valid mesh or throws InputError.
 TEST(Obj, SurvivesRandomDamage) {
   const std::string good =
       "\xef\xbb\xbf# note\nmtllib a b.mtl\n" + kSquare +

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of the OBJ parser share.
+// Helpers of the tests of the OBJ parser.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 namespace raytracing {
 
-/// Four vertices, four lines.
+/// Four vertices in four lines.
 inline const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 struct Parsed {
@@ -22,7 +22,7 @@ struct Parsed {
   const PolygonMesh& mesh() const { return model.mesh; }
   std::size_t faces() const { return model.mesh.faces.size(); }
   std::string told() const { return raytracing::told(report); }
-  /// Vertices of a face, from 0.
+  /// The vertices of a face, counted from 0.
   std::vector<std::uint32_t> vertices(std::size_t face) const {
     std::vector<std::uint32_t> result;
     const auto& f = mesh().faces.at(face);
@@ -50,7 +50,7 @@ inline Parsed parse(const std::string& text) {
   return parsed;
 }
 
-/// The message that refuses the text; it must be one line.
+/// The error message about the text, which must be one line.
 inline std::string error_of(const std::string& text) {
   try {
     parse(text);

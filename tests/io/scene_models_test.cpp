@@ -1,4 +1,4 @@
-// What a scene file makes of OBJ and MTL files.
+// Models of scene files: their transforms, materials and errors.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// A triangle in the plane z = 0 whose normal, by winding and as stated, is +z.
+/// A triangle in the plane z = 0 whose normal is +z, by its winding and as stated.
 const std::string kTriangle = "v 1 0 0\nv 0 1 0\nv 0 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
 
 const std::string kModel = kCamera + "[[models]]\nobj = 'm.obj'\n";
@@ -219,7 +219,7 @@ TEST(SceneMaterials, BelongToTheirLibrary) {
   EXPECT_EQ(reflectance(3), 0.1f);
   EXPECT_EQ(file.scene.surfaces.size(), 2u);
   EXPECT_EQ(file.scene.meshes[3].positions[2], Vec3(1, 0, 0));
-  // Each file is read once, in the order of need.
+  // Each file is read once, when it is first needed.
   Lines assets;
   for (const std::string& path : file.assets) assets.push_back(scene.without_folder(path));
   EXPECT_EQ(assets,

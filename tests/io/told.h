@@ -6,7 +6,7 @@
 
 namespace raytracing {
 
-/// All that a report counted, in one line: "severity kind xcount at line:column; ...".
+/// The contents of a report in one line: "severity kind xcount at line:column; ...".
 inline std::string told(const LoadReport& report) {
   std::string text;
   for (const LoadReport::Entry& e : report.entries()) {

@@ -1,4 +1,4 @@
-// The facts of a run: every fact of the list survives every file that holds it.
+// Every fact of the list survives every kind of file that holds it.
 
 #include "raytracing/render/provenance.h"
 
@@ -14,7 +14,7 @@
 namespace raytracing {
 namespace {
 
-// Every fact with a value of its own, none of which a shorter form would keep.
+// All facts, with different values that need all digits of their types.
 RunFacts full_facts() {
   RunFacts facts;
   std::uint64_t number = UINT64_MAX;
@@ -109,7 +109,7 @@ TEST(RunFacts, UnlimitedDepthIsAWord) {
   EXPECT_EQ(depth_text(3), "3");
 }
 
-// A finished rendering leaves no fact empty but those that the command line and loading add.
+// A rendering sets all facts except those that the command line and the loader add.
 TEST(RunFacts, OfARenderingAreAllThere) {
   RenderOptions options;
   options.width = options.height = 1;
