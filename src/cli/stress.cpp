@@ -15,7 +15,6 @@
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/study/page/gnuplot.h"
-#include "raytracing/study/stress/plot.h"
 #include "raytracing/study/stress/report.h"
 #include "raytracing/study/stress/run.h"
 

@@ -8,7 +8,6 @@
 #include <set>
 #include <thread>
 
-#include "raytracing/study/stress/plot.h"
 #include "raytracing/study/stress/report.h"
 #include "raytracing/study/stress/run.h"
 
@@ -140,6 +139,21 @@ TEST(StressRun, MoreSeedsMeasureMorePixels) {
   EXPECT_NEAR(four.cells[0].standard_error, one / 2, one / 8);
 }
 
+// A method whose directions for shared paths are 2 % too bright is right everywhere else.
+TEST(StressRun, FindsWrongBookkeepingOfSharedPaths) {
+  const DirectMethod biased = planted([](const DirectQuery& query, Visibility& visibility) {
+    const Rgb value = point().estimate(query, visibility);
+    if (query.directions != nullptr)
+      for (LightSample& sample : *query.directions) sample.light *= 1.02f;
+    return value;
+  });
+  const StressResult result = run(plan({"shared-paths"}, {&point(), &biased}));
+  for (const StressCell& cell : result.cells) {
+    const bool found = cell.method == &biased && cell.setting->label != "diffuse";
+    EXPECT_EQ(cell.verdict, found ? Verdict::biased : Verdict::holds) << cell.setting->label;
+  }
+}
+
 TEST(StressRun, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   EXPECT_FALSE(run_stress(plan({"scale"}, {&point()}), stop).complete);
@@ -174,7 +188,7 @@ TEST(StressCases, EachHasANameOfItsOwnAndAReceiver) {
       EXPECT_TRUE(std::isfinite(truth.rounding));
     }
   }
-  EXPECT_EQ(names.size(), 19u);
+  EXPECT_EQ(names.size(), 20u);
 }
 
 // The pictures' data has a block for each case and one for the overview; the page tells what fails.

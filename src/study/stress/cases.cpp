@@ -129,35 +129,36 @@ StressScene albedo(float rho) {
   return builder.scene;
 }
 
-// A small receiver is lit only by a wall, which a light behind the receiver's horizon faces: paths
-// of one bounce carry all of its light.
-StressScene shared_paths(const Material& wall) {
+// The receiver is lit only by the ceiling. The light shines up to that from below the horizon of
+// the receiver, so that paths of one bounce carry all the radiance.
+StressScene shared_paths(const Material& ceiling) {
+  constexpr float kLe = 10;
   CaseBuilder builder;
-  const Vec3 center(1.3f, 0.1f, 0.6f), y(0.0f, 0.5f, 0.0f), z(0.0f, 0.0f, 0.4f);
-  builder.add_faces({parallelogram(center, z, y)}, builder.add_surface(wall));
-  const Polygon light = parallelogram({0.4f, 0.2f, 1.5f}, {0.0f, 0.3f, 0.0f}, {0.05f, 0.0f, 0.25f});
-  builder.add_faces({light}, builder.add_surface(Diffuse{Rgb(0.0f)}, 10));
+  const Vec3 center(0.1f, -0.05f, 1.0f), x(2.0f, 0.0f, 0.0f), y(0.0f, 2.0f, 0.0f);
+  builder.add_faces({parallelogram(center, y, x)}, builder.add_surface(ceiling));
+  const Polygon light = parallelogram({0.8f, 0.1f, -0.2f}, {0.3f, 0.0f, 0.0f}, {0.0f, 0.2f, 0.0f});
+  builder.add_faces({light}, builder.add_surface(Diffuse{Rgb(0.0f)}, kLe));
   const LPolygon pieces[] = {long_polygon(light)};
-  const DVec3 x(kPoint), normal(-1, 0, 0);
-  const auto reflected = [&](const DVec3& p, const DVec3& to_x) {
-    if (const auto* diffuse = std::get_if<Diffuse>(&wall))
-      return 10 * diffuse->reflectance.x / std::numbers::pi *
-             static_cast<double>(lambert(pieces[0], LVec3(p), LVec3(normal)));
-    const auto& ggx = std::get<GgxConductor>(wall);
-    return 10 * ggx.reflectance.x * ggx_radiance(pieces, LVec3(p), normal, to_x, ggx.alpha);
+  const DVec3 down(0, 0, -1);
+  const auto reflected = [&](const DVec3& p, const DVec3& wo) {
+    if (const auto* diffuse = std::get_if<Diffuse>(&ceiling))
+      return kLe * diffuse->reflectance.x / std::numbers::pi *
+             static_cast<double>(lambert(pieces[0], LVec3(p), LVec3(down)));
+    const auto& ggx = std::get<GgxConductor>(ceiling);
+    return kLe * ggx.reflectance.x * ggx_radiance(pieces, LVec3(p), down, wo, ggx.alpha);
   };
-  // The receiver's reflectance over pi times the irradiance from the wall.
-  const double area = 4 * length(cross(DVec3(y), DVec3(z)));
-  builder.scene.radiance =
-      0.5 / std::numbers::pi * area *
-      integrate_square(
-          [&](double s, double t) {
-            const DVec3 p = DVec3(center) + (2 * s - 1) * DVec3(y) + (2 * t - 1) * DVec3(z);
-            const DVec3 d = x - p;
-            const double r = length(d);
-            return reflected(p, d / r) * -d.z / r * dot(normal, d) / r / (r * r);
-          },
-          2);
+  // The irradiance from the ceiling, times the reflectance over pi.
+  const double area = 4 * length(cross(DVec3(x), DVec3(y)));
+  const double irradiance =
+      area * integrate_square(
+                 [&](double s, double t) {
+                   const DVec3 p = DVec3(center) + (2 * s - 1) * DVec3(x) + (2 * t - 1) * DVec3(y);
+                   const DVec3 d = DVec3(kPoint) - p;
+                   const double r2 = dot(d, d);
+                   return reflected(p, d / std::sqrt(r2)) * d.z * d.z / (r2 * r2);
+                 },
+                 4);
+  builder.scene.radiance = 0.5 / std::numbers::pi * irradiance;
   builder.scene.max_depth = 2;
   builder.scene.shares_paths = true;
   builder.scene.scene.camera = {kPoint + 0.1f * kView, kPoint, {0.0f, 1.0f, 0.0f}, 0.1f};
@@ -166,8 +167,7 @@ StressScene shared_paths(const Material& wall) {
 
 std::vector<StressSetting> shared_path_settings() {
   std::vector<StressSetting> result{{"diffuse", [] { return shared_paths(Diffuse{Rgb(0.5f)}); }}};
-  for (StressSetting& setting :
-       settings({1, 0.5, 0.3}, [](float r) { return shared_paths(ggx(r)); }))
+  for (StressSetting& setting : settings({1, 0.7}, [](float r) { return shared_paths(ggx(r)); }))
     result.push_back(std::move(setting));
   return result;
 }
@@ -186,8 +186,8 @@ std::vector<StressCase> surface_cases() {
        "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
        settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},
       {"shared-paths", "surface",
-       "roughness of a wall that lights the receiver, in groups of 16 x 16 shared paths, N = 256",
-       "quadrature of the wall's exact radiance", shared_path_settings()},
+       "roughness of a ceiling that lights the receiver by shared paths of 16 x 16 pixels, N = 512",
+       "quadrature of the ceiling's exact radiance", shared_path_settings()},
   };
 }
 

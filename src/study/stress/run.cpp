@@ -19,6 +19,8 @@ namespace raytracing {
 namespace {
 
 constexpr std::uint64_t kRepetitionFactor = 4;
+constexpr int kGroupSpp = 2;  // samples of a pixel whose paths are shared
+constexpr int kGroupPixels = PixelGroups::kMaxEdge * PixelGroups::kMaxEdge;
 
 // Sets the moments of the pixels' means; two passes avoid cancellation.
 void set_moments(const std::vector<double>& pixels, StressCell& cell) {
@@ -76,12 +78,12 @@ SampleSum sample_pixel(const PreparedSetting& prepared, const ShadeOptions& opti
   return result;
 }
 
-// One sample of each pixel of a picture of the size of a group, in the default mode of rendering.
+// The samples of a picture of the size of a group, in the default mode of rendering.
 SampleSum sample_group(const PreparedSetting& prepared, const ShadeOptions& shade,
                        std::uint64_t seed) {
   RenderOptions options;
   options.width = options.height = options.reuse = PixelGroups::kMaxEdge;
-  options.spp = 1;
+  options.spp = kGroupSpp;
   options.shade = shade;
   options.seed = seed;
   const RenderResult picture = render(prepared.scene, options, prepared.stop, {});
@@ -90,7 +92,7 @@ SampleSum sample_group(const PreparedSetting& prepared, const ShadeOptions& shad
   result.other_threads_seconds = picture.cpu_seconds;
   for (int y = 0; y < options.height; ++y)
     for (int x = 0; x < options.width; ++x)
-      result.add(static_cast<double>(picture.film.at(x, y).mean().x));
+      result.add(kGroupSpp * static_cast<double>(picture.film.at(x, y).mean().x));
   return result;
 }
 
@@ -99,7 +101,7 @@ void measure(const PreparedSetting& prepared, std::uint64_t first, std::uint64_t
              StressCell& cell) {
   const ShadeOptions options{cell.method, prepared.stress.max_depth, prepared.line_rays};
   const bool shared = prepared.stress.shares_paths;
-  const double samples = shared ? PixelGroups::kMaxEdge * PixelGroups::kMaxEdge : kStressSpp;
+  const double samples = shared ? kGroupSpp * kGroupPixels : kStressSpp;
   Visibility visibility(prepared.scene);
   std::vector<double> pixels;
   cell.not_finite = 0;
