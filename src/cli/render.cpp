@@ -89,7 +89,7 @@ class Outputs {
 };
 
 void print_summary(const RenderOptions& o, const RenderResult& r, bool quiet) {
-  const DirectMethod& method = *o.shade.method;
+  const DirectMethod& method = *o.path.method;
   if (!quiet)
     fmt::print(stderr, "{}x{} pixels, {} spp, {}{}, {}: {:.2f} s, {:.2f} million paths/s\n",
                o.width, o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
@@ -99,7 +99,7 @@ void print_summary(const RenderOptions& o, const RenderResult& r, bool quiet) {
     fmt::print(stderr, "warning: the system allows only {} of {} threads\n", r.threads, o.threads);
   for (const NonFiniteSample& s : r.first_non_finite)
     fmt::print(stderr, "non-finite sample ({}): add --replay {},{},{} to trace it again\n",
-               to_string(s.cause), s.x, s.y, s.sample);
+               to_string(s.cause), s.index.x, s.index.y, s.index.sample);
   if (r.non_finite_samples > 0)
     fmt::print(stderr, "warning: {} of {} samples were not finite and count as black\n",
                r.non_finite_samples, r.paths);
@@ -120,14 +120,11 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
     throw UsageError(fmt::format("--replay: {},{},{} lies outside {}x{} pixels and {} spp",
                                  replay.x, replay.y, replay.sample, options.width, options.height,
                                  options.spp));
-  const Camera camera(scene.camera(), options.width, options.height);
-  Visibility visibility(scene);
-  PathLog log;
-  const Rgb radiance =
-      trace_sample(scene, camera, options, replay.x, replay.y, replay.sample, visibility, log);
+  const auto& [radiance, log, counts] =
+      trace_sample(scene, options, {replay.x, replay.y, replay.sample});
   std::string out =
       fmt::format("pixel {},{} sample {} seed {} {} {}\n", replay.x, replay.y, replay.sample,
-                  options.seed, to_string(options.sampler), options.shade.method->name);
+                  options.seed, to_string(options.sampler), options.path.method->name);
   if (shares_paths(options))
     out += fmt::format(
         "groups of {0}x{0} pixels share paths: vertices with throughput 0 follow the first bounces "
@@ -145,7 +142,6 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
   }
   if (!is_finite(radiance))
     out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
-  const RayCounts& counts = visibility.counts();
   return out + fmt::format(
                    "radiance {}; {} closest-hit rays, {} shadow rays, {} segment queries, "
                    "{} shaft queries\n",
@@ -163,7 +159,7 @@ int render_command(const Arguments& arguments) {
   std::optional<Outputs> outputs;
   if (!a.replay) outputs.emplace(a, input.file());
   const Scene& scene = input.build(options.height, a.threads,
-                                   options.shade.method->asks_segments || shares_paths(options));
+                                   options.path.method->asks_segments || shares_paths(options));
   if (a.replay) {
     fmt::print("{}", replay_text(scene, options, *a.replay, input.origin()));
     return kExitGood;

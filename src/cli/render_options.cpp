@@ -154,9 +154,9 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
     throw UsageError(
         fmt::format("--replicates: {} does not divide {} samples per pixel", o.replicates, o.spp));
   o.reuse = a.reuse;
-  o.shade.method = a.method ? a.method : find_direct_method(scene.light_sampling);
-  o.shade.max_depth = a.max_depth;
-  o.shade.line_rays = a.line_rays;
+  o.path.method = a.method ? a.method : find_direct_method(scene.light_sampling);
+  o.path.max_depth = a.max_depth;
+  o.path.line_rays = a.line_rays;
   o.sampler = a.sampler;
   o.seed = a.seed;
   o.threads = a.threads;

@@ -1,12 +1,12 @@
 #include "raytracing/render/pixel_groups.h"
 
-#include "raytracing/integrator/reuse.h"
+#include "raytracing/integrator/path_tracer.h"
 #include "raytracing/math/numeric.h"
 #include "raytracing/sampling/hash.h"
 
 namespace raytracing {
 
-static_assert(square(PixelGroups::kMaxEdge) == PathGroup::kMaxPaths);
+static_assert(square(PixelGroups::kMaxEdge) == PathTracer::kMaxSamples);
 
 PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed, std::uint64_t sample,
                          std::uint64_t replicate)
@@ -20,6 +20,7 @@ PixelGroups::PixelGroups(int width, int height, int edge, std::uint64_t seed, st
 }
 
 PixelGroups::Pixel PixelGroups::turn(int cell_x, int cell_y) const {
+  if (stride_ == 1) return {0, 0};
   const std::uint64_t cell =
       std::uint64_t{static_cast<std::uint32_t>(cell_y)} << 32 | static_cast<std::uint32_t>(cell_x);
   const std::uint64_t bits = mix_bits(key_ ^ mix_bits(cell));
@@ -28,8 +29,9 @@ PixelGroups::Pixel PixelGroups::turn(int cell_x, int cell_y) const {
           static_cast<int>((bits >> 32) % cell_edge)};
 }
 
-void PixelGroups::pixels(int column, int row, int index, std::vector<Pixel>& group) const {
+void PixelGroups::pixels(const Place& place, std::vector<Pixel>& group) const {
   group.clear();
+  const auto [column, row, index] = place;
   for (int cy = row * edge_; cy < (row + 1) * edge_; ++cy)
     for (int cx = column * edge_; cx < (column + 1) * edge_; ++cx) {
       const Pixel by = turn(cx, cy);

@@ -213,13 +213,13 @@ RunFacts facts_from_json(const nlohmann::ordered_json& object) {
 }
 
 void add_options(RunFacts& facts, const RenderOptions& options) {
-  const DirectMethod& method = *options.shade.method;
+  const DirectMethod& method = *options.path.method;
   facts.width = options.width;
   facts.height = options.height;
   facts.light_sampling = method.name;
   facts.light_sampling_biased = !method.unbiased;
-  facts.line_rays = options.shade.line_rays;
-  facts.max_depth = depth_fact(options.shade.max_depth);
+  facts.line_rays = options.path.line_rays;
+  facts.max_depth = depth_fact(options.path.max_depth);
   facts.sampler = to_string(options.sampler);
   facts.spp = options.spp;
   facts.replicates = options.replicates;

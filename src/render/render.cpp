@@ -6,63 +6,69 @@
 #include <optional>
 #include <tuple>
 
-#include "raytracing/math/numeric.h"
+#include "group_tracer.h"
 #include "raytracing/render/threads.h"
-#include "trace.h"
 
 namespace raytracing {
 namespace {
 
-constexpr std::size_t kNamedSamples = 8;
-// The picture is refined in passes, so that one that is stopped early is noisy rather than torn.
-constexpr std::uint64_t kSamplesPerPass = 16;
-
-// The edge of the tiles: of whole groups, where there are groups.
-int tile_edge(const RenderOptions& options) {
-  if (!shares_paths(options)) return options.tile_size;
-  const int group = groups_of(options, 0).tile_edge();
-  return (options.tile_size + group - 1) / group * group;
-}
-
-// Tiles along an edge of the picture. Shifted ones may need one more.
-int tile_count(const RenderOptions& options, int pixels) {
-  const int largest_shift = shares_paths(options) ? groups_of(options, 0).tile_edge() - 1 : 0;
-  return (pixels + largest_shift + tile_edge(options) - 1) / tile_edge(options);
-}
+constexpr std::size_t kMaxNamedSamples = 8;
+// The picture is refined in passes, so that one that is stopped early is noisy rather than torn. A
+// pass is short where groups are shifted from sample to sample, longer where the samples of one
+// pixel may follow each other.
+constexpr std::uint64_t kSamplesPerPassOfPixels = 16;
 
 bool is_before(const NonFiniteSample& a, const NonFiniteSample& b) {
-  return std::tie(a.y, a.x, a.sample) < std::tie(b.y, b.x, b.sample);
+  return std::tie(a.index.y, a.index.x, a.index.sample) <
+         std::tie(b.index.y, b.index.x, b.index.sample);
 }
 
 // Keeps the few that come first in the picture, whatever thread found them.
 void keep_first(std::vector<NonFiniteSample>& named) {
   std::sort(named.begin(), named.end(), is_before);
-  if (named.size() > kNamedSamples) named.resize(kNamedSamples);
+  if (named.size() > kMaxNamedSamples) named.resize(kMaxNamedSamples);
 }
 
-// Work of all threads: tile after tile of pass after pass, handed out by a counter.
-class Job {
+// How the picture is cut into tiles, each of whole groups of pixels.
+struct TileGrid {
+  int groups;         // tiles of groups along the edge of a tile
+  int columns, rows;  // tiles of the picture
+  bool shifted;       // whether tiles of successive samples overlap with their neighbours
+
+  explicit TileGrid(const RenderOptions& options) {
+    const int edge = PixelGroups::tile_edge(group_edge(options));
+    groups = (options.tile_size + edge - 1) / edge;
+    shifted = edge > 1;
+    // A shift of up to edge - 1 pixels may take one more tile.
+    const auto count = [&](int pixels) {
+      return (pixels + edge - 1 + groups * edge - 1) / (groups * edge);
+    };
+    columns = count(options.width);
+    rows = count(options.height);
+  }
+};
+
+// The work of all threads: tile after tile of pass after pass, handed out by a counter.
+class RenderJob {
  public:
-  Job(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
-      const ProgressCallback& progress, RenderResult& result)
+  RenderJob(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
+            const ProgressCallback& progress, RenderResult& result)
       : scene_(scene),
         options_(options),
         camera_(scene.camera(), options.width, options.height),
         stop_(stop),
         progress_(progress),
         result_(result),
-        shared_(shares_paths(options)),
-        tile_edge_(tile_edge(options)),
-        tiles_x_(tile_count(options, options.width)),
-        tiles_y_(tile_count(options, options.height)),
-        samples_per_pass_(shared_ ? 1 : kSamplesPerPass),
+        grid_(options),
+        samples_per_pass_(grid_.shifted ? 1 : kSamplesPerPassOfPixels),
         passes_((options.spp + samples_per_pass_ - 1) / samples_per_pass_),
-        passes_done_(static_cast<std::size_t>(tiles_x_) * tiles_y_) {}
+        replicate_size_(options.replicates > 1 ? options.spp / options.replicates : 1),
+        passes_done_(static_cast<std::size_t>(grid_.columns) * grid_.rows) {}
 
-  // One thread's share.
+  // Runs in each thread.
   void work() {
     const double start = thread_cpu_seconds();
-    Share share(scene_, camera_, options_);
+    Worker worker(scene_, camera_, options_);
     const std::uint64_t tiles = passes_done_.size();
     while (!stop_) {
       const std::uint64_t ticket = next_++;
@@ -71,127 +77,106 @@ class Job {
       // The samples of a pixel are added in order: another thread may still be at the last pass. It
       // always ends it, since `stop_` is looked at only before taking a ticket.
       wait_for_pass(static_cast<int>(tile), pass);
-      if (shared_)
-        render_shared_tile(static_cast<int>(tile), pass, share);
-      else
-        render_tile(static_cast<int>(tile), pass, share);
+      render_tile(static_cast<int>(tile), pass, worker);
       ++passes_done_[tile];
       passes_done_[tile].notify_all();
-      report(share);
+      report(worker);
     }
-    std::scoped_lock lock(mutex_);
-    result_.rays += share.visibility.counts();
-    result_.paths += share.paths;
-    for (std::size_t i = 0; i < kNonFiniteCauses; ++i) {
-      result_.non_finite_samples += share.non_finite[i];
-      result_.non_finite_by_cause[i] += share.non_finite[i];
-    }
-    result_.first_non_finite.insert(result_.first_non_finite.end(), share.named.begin(),
-                                    share.named.end());
-    result_.cpu_seconds += thread_cpu_seconds() - start;
+    add_to_result(worker, thread_cpu_seconds() - start);
   }
 
  private:
-  struct Share {
-    Share(const Scene& scene, const Camera& camera, const RenderOptions& options)
-        : visibility(scene), samples(scene, camera, options), groups(scene, camera, options) {}
-    Visibility visibility;
-    SampleTracer samples;
-    GroupTracer groups;
-    PathLog log;
+  // What one thread has done.
+  struct Worker {
+    Worker(const Scene& scene, const Camera& camera, const RenderOptions& options)
+        : tracer(scene, camera, options) {}
+    GroupTracer tracer;
+    std::vector<PixelGroups> groups;  // of the samples of a pass
     std::uint64_t paths = 0;
     std::uint64_t reported = 0;
     std::array<std::uint64_t, kNonFiniteCauses> non_finite{};  // by cause
     std::vector<NonFiniteSample> named;
-    std::optional<NonFiniteCause> cause_in_group;  // where the group has had one
   };
 
-  // Waits until the passes before this one are done wherever the tile adds samples. Shifted tiles
-  // overlap with their neighbours in the pass before.
+  // Waits until the passes before this one are done wherever the tile adds samples.
   void wait_for_pass(int tile, std::uint64_t pass) {
-    const int reach = shared_ ? 1 : 0;
-    const int column = tile % tiles_x_, row = tile / tiles_x_;
-    for (int y = std::max(row - reach, 0); y <= std::min(row + reach, tiles_y_ - 1); ++y)
-      for (int x = std::max(column - reach, 0); x <= std::min(column + reach, tiles_x_ - 1); ++x) {
-        std::atomic<std::uint64_t>& done = passes_done_[y * tiles_x_ + x];
+    const int reach = grid_.shifted ? 1 : 0;
+    const int column = tile % grid_.columns, row = tile / grid_.columns;
+    for (int y = std::max(row - reach, 0); y <= std::min(row + reach, grid_.rows - 1); ++y)
+      for (int x = std::max(column - reach, 0); x <= std::min(column + reach, grid_.columns - 1);
+           ++x) {
+        std::atomic<std::uint64_t>& done = passes_done_[y * grid_.columns + x];
         for (std::uint64_t n = done; n < pass; n = done) done.wait(n);
       }
   }
 
-  std::uint64_t replicate_size() const {
-    return options_.replicates > 1 ? options_.spp / options_.replicates : 1;
-  }
-
-  void render_tile(int tile, std::uint64_t pass, Share& share) {
-    const int x0 = tile % tiles_x_ * tile_edge_;
-    const int y0 = tile / tiles_x_ * tile_edge_;
-    const int x1 = std::min(x0 + tile_edge_, options_.width);
-    const int y1 = std::min(y0 + tile_edge_, options_.height);
+  // All groups of the tile, all samples of the pass.
+  void render_tile(int tile, std::uint64_t pass, Worker& worker) {
     const std::uint64_t first = pass * samples_per_pass_;
     const std::uint64_t last = std::min(first + samples_per_pass_, options_.spp);
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) {
-        Film::Pixel pixel = result_.film.at(x, y);
-        for (std::uint64_t sample = first; sample < last; ++sample) {
-          const Rgb radiance = share.samples.trace(x, y, sample, share.visibility, share.log);
-          pixel.add(finite(radiance, x, y, sample, share), replicate_size());
-        }
-        result_.film.at(x, y) = pixel;
-      }
-  }
-
-  // Whole groups, one sample of each pixel. Tile (0,0) begins where the grid of groups does.
-  void render_shared_tile(int tile, std::uint64_t sample, Share& share) {
-    const PixelGroups groups = groups_of(options_, sample);
-    const int interleaved = groups.groups_per_tile();
-    const int n = tile_edge_ / groups.tile_edge();
-    const int column = tile % tiles_x_ * n, row = tile / tiles_x_ * n;
+    worker.groups.clear();
+    for (std::uint64_t sample = first; sample < last; ++sample)
+      worker.groups.push_back(groups_of(options_, sample));
+    const int n = grid_.groups, interleaved = worker.groups[0].groups_per_tile();
+    const int column = tile % grid_.columns * n, row = tile / grid_.columns * n;
     for (int i = 0; i < n * n * interleaved; ++i) {
       const int cell = i / interleaved;
       const PixelGroups::Place place{column + cell % n, row + cell / n, i % interleaved};
-      share.cause_in_group.reset();
-      share.groups.trace(groups, place, sample, {-1, -1}, share.visibility, share.log);
-      const auto pixels = share.groups.pixels();
-      for (std::size_t k = 0; k < pixels.size(); ++k) {
-        const auto [x, y] = pixels[k];
-        result_.film.at(x, y).add(finite(share.groups.radiance(k), x, y, sample, share),
-                                  replicate_size());
+      for (std::uint64_t sample = first; sample < last; ++sample)
+        render_group(worker.groups[sample - first], place, sample, worker);
+    }
+  }
+
+  void render_group(const PixelGroups& groups, const PixelGroups::Place& place,
+                    std::uint64_t sample, Worker& worker) {
+    worker.tracer.trace(groups, place, sample);
+    const auto pixels = worker.tracer.pixels();
+    worker.paths += pixels.size();
+    std::optional<NonFiniteCause> cause;  // of the group's last non-finite sample
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      Rgb radiance = worker.tracer.radiance(k);
+      if (!is_finite(radiance)) {
+        cause = count_non_finite({pixels[k].x, pixels[k].y, sample}, cause, worker);
+        radiance = Rgb(0.0f);
       }
+      result_.film.at(pixels[k].x, pixels[k].y).add(radiance, replicate_size_);
     }
   }
 
-  Rgb finite(const Rgb& radiance, int x, int y, std::uint64_t sample, Share& share) {
-    ++share.paths;
-    if (is_finite(radiance)) return radiance;
-    const NonFiniteCause cause =
-        shared_ ? cause_in_group(x, y, sample, share) : non_finite_cause(share.log);
-    ++share.non_finite[static_cast<std::size_t>(cause)];
-    share.named.push_back({x, y, sample, cause});
-    keep_first(share.named);
-    return Rgb(0.0f);
-  }
-
-  // The log of a group is that of one of its pixels, so that the group is traced again. A path that
-  // overflows reaches all that see it: of those, only the ones that will be named are traced again
-  // each; the others are counted with the cause of the one before.
-  NonFiniteCause cause_in_group(int x, int y, std::uint64_t sample, Share& share) {
+  // The log of a group is that of one of its pixels, so that the sample is traced again. A path
+  // that overflows reaches all pixels that see it: of those, only the ones that will be named are
+  // traced again each; the others are counted with the cause of the one before.
+  NonFiniteCause count_non_finite(const SampleIndex& index, std::optional<NonFiniteCause> cause,
+                                  Worker& worker) {
     const bool named =
-        share.named.size() < kNamedSamples || is_before({x, y, sample, {}}, share.named.back());
-    if (named || !share.cause_in_group) {
-      Visibility uncounted(scene_);
-      trace_sample(scene_, camera_, options_, x, y, sample, uncounted, share.log);
-      share.cause_in_group = non_finite_cause(share.log);
-    }
-    return *share.cause_in_group;
+        worker.named.size() < kMaxNamedSamples || is_before({index, {}}, worker.named.back());
+    if (named || !cause) cause = non_finite_cause(trace_sample(scene_, options_, index).log);
+    ++worker.non_finite[static_cast<std::size_t>(*cause)];
+    worker.named.push_back({index, *cause});
+    keep_first(worker.named);
+    return *cause;
   }
 
-  void report(Share& share) {
-    done_ += share.paths - share.reported;
-    share.reported = share.paths;
+  void report(Worker& worker) {
+    done_ += worker.paths - worker.reported;
+    worker.reported = worker.paths;
     if (!progress_) return;
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
     progress_(done_, options_.spp * options_.width * options_.height);
+  }
+
+  void add_to_result(const Worker& worker, double cpu_seconds) {
+    std::scoped_lock lock(mutex_);
+    result_.rays += worker.tracer.rays().counts();
+    result_.paths += worker.paths;
+    for (std::size_t i = 0; i < kNonFiniteCauses; ++i) {
+      result_.non_finite_samples += worker.non_finite[i];
+      result_.non_finite_by_cause[i] += worker.non_finite[i];
+    }
+    result_.first_non_finite.insert(result_.first_non_finite.end(), worker.named.begin(),
+                                    worker.named.end());
+    result_.cpu_seconds += cpu_seconds;
   }
 
   const Scene& scene_;
@@ -200,9 +185,8 @@ class Job {
   const std::atomic<bool>& stop_;
   const ProgressCallback& progress_;
   RenderResult& result_;
-  const bool shared_;
-  const int tile_edge_, tiles_x_, tiles_y_;
-  const std::uint64_t samples_per_pass_, passes_;
+  const TileGrid grid_;
+  const std::uint64_t samples_per_pass_, passes_, replicate_size_;
   std::vector<std::atomic<std::uint64_t>> passes_done_;  // of each tile
   std::atomic<std::uint64_t> next_{0};
   std::atomic<std::uint64_t> done_{0};
@@ -215,7 +199,7 @@ RenderResult render(const Scene& scene, const RenderOptions& options, const std:
                     const ProgressCallback& progress) {
   RenderResult result(Film(options.width, options.height));
   const auto start = std::chrono::steady_clock::now();
-  Job job(scene, options, stop, progress, result);
+  RenderJob job(scene, options, stop, progress, result);
   result.threads = run_in_threads(options.threads, [&job] { job.work(); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   result.render_seconds = wall.count();

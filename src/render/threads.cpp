@@ -6,9 +6,19 @@
 #include <thread>
 #include <vector>
 
-#include "trace.h"
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 namespace raytracing {
+
+#if defined(__SSE__)
+FlushedDenormals::FlushedDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+FlushedDenormals::~FlushedDenormals() { _mm_setcsr(before_); }
+#else
+FlushedDenormals::FlushedDenormals() : before_(0) {}
+FlushedDenormals::~FlushedDenormals() = default;
+#endif
 
 double thread_cpu_seconds() {
   timespec t{};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "raytracing/integrator/direct_method.h"
-#include "raytracing/integrator/visibility.h"
+#include "raytracing/integrator/ray_queries.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/lights/chord.h"
 #include "raytracing/sampling/warp.h"
@@ -67,7 +67,7 @@ const Setting& setting(const std::string& name) {
 template <class F>
 void ask(benchmark::State& state, const char* name, const F& question) {
   const Setting& s = setting(name);
-  Visibility visibility(*s.scene);
+  RayQueries visibility(*s.scene);
   const AreaLight& light = s.scene->lights()[0];
   std::size_t i = 0;
   for (auto _ : state) {
@@ -78,7 +78,7 @@ void ask(benchmark::State& state, const char* name, const F& question) {
 }
 
 void closest_hit(benchmark::State& state, const char* name) {
-  ask(state, name, [](Visibility& visibility, const Query& q, const AreaLight&) {
+  ask(state, name, [](RayQueries& visibility, const Query& q, const AreaLight&) {
     return visibility.closest_hit({q.vertex.ray_origin(), q.wi});
   });
 }
@@ -86,7 +86,7 @@ BENCHMARK_CAPTURE(closest_hit, cornell, "cornell");
 BENCHMARK_CAPTURE(closest_hit, teapot, "teapot");
 
 void occlusion(benchmark::State& state, const char* name) {
-  ask(state, name, [](Visibility& visibility, const Query& q, const AreaLight& light) {
+  ask(state, name, [](RayQueries& visibility, const Query& q, const AreaLight& light) {
     return visibility.occluded(q.vertex, q.point, light);
   });
 }
@@ -94,7 +94,7 @@ BENCHMARK_CAPTURE(occlusion, cornell, "cornell");
 BENCHMARK_CAPTURE(occlusion, teapot, "teapot");
 
 void segment(benchmark::State& state, const char* name) {
-  ask(state, name, [](Visibility& visibility, const Query& q, const AreaLight& light) {
+  ask(state, name, [](RayQueries& visibility, const Query& q, const AreaLight& light) {
     return visibility.visible_part(q.vertex, q.chord, Interval{0, 1}, light).length();
   });
 }

@@ -34,7 +34,7 @@ RecordedRays record(const Scene& scene, int reuse) {
   options.width = options.height = kSize;
   options.spp = kSpp;
   options.reuse = reuse;
-  options.shade.method = find_direct_method("point");
+  options.path.method = &direct_method("point");
   const std::atomic<bool> stop = false;
   start_recording();
   render(scene, options, stop, nullptr);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "raytracing/lights/chord_integral.h"
-#include "raytracing/materials/bsdf.h"
+#include "raytracing/materials/material.h"
 #include "raytracing/sampling/sampler.h"
 #include "raytracing/sampling/spherical.h"
 #include "support/statistics.h"

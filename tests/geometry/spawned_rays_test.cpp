@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "raytracing/integrator/visibility.h"
+#include "raytracing/integrator/ray_queries.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
 
@@ -161,7 +161,7 @@ TEST(SpawnedRays, EndBeforeTheLightOfAFarVertex) {
         maker.add_polygon(parallelogram(far, scale * frame.y, scale * n),
                           maker.add_surface(Diffuse{}));
         const Scene scene = maker.build();
-        Visibility visibility(scene);
+        RayQueries visibility(scene);
         for (int i = 0; i < 50; ++i) {
           const Vec3 target = far + scale * (random.unit() * frame.y + random.unit() * n);
           const auto v = meet(scene, target - 2 * scale * frame.x + scale * n, target);

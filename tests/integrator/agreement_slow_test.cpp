@@ -34,7 +34,7 @@ Film render_film(const Scene& scene, const DirectMethod& method, SamplerKind sam
   RenderOptions options;
   options.width = options.height = size;
   options.spp = spp;
-  options.shade.method = &method;
+  options.path.method = &method;
   options.sampler = sampler;
   options.seed = seed;
   options.threads = kThreads;

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "raytracing/integrator/reuse.h"
-#include "raytracing/integrator/shade.h"
+#include "raytracing/integrator/path_tracer.h"
 #include "support/p_values.h"
 #include "support/scenes.h"
+#include "support/single_paths.h"
 
 namespace raytracing {
 namespace {
@@ -38,20 +38,18 @@ double expected(double e, double rho, std::optional<std::uint32_t> max_depth) {
 /// Statistics by channel of `samples` paths from the middle of the room; `spp` paths make a pixel.
 /// The spread is that between single paths for independent numbers, and between the means of pixels
 /// for Sobol' points. A ray of `direction` 0 goes anywhere.
-std::array<RunningStats, 3> measure(const Scene& scene, const ShadeOptions& options,
+std::array<RunningStats, 3> measure(const Scene& scene, const PathOptions& options,
                                     SamplerKind kind, int samples, int spp,
                                     const Vec3& direction = Vec3(0.0f)) {
   std::array<RunningStats, 3> stats;
-  Visibility visibility(scene);
-  PathLog log;
+  SinglePaths paths(scene, options);
   TestRandom random(5);
   for (int pixel = 0; pixel < samples / spp; ++pixel) {
     DVec3 sum(0.0);
     for (int i = 0; i < spp; ++i) {
-      PathSampler sampler(kind, 2, pixel, 0, i);
+      const PathSampler sampler(kind, 2, pixel, 0, i);
       const Vec3 d = is_black(direction) ? random.direction() : direction;
-      const DVec3 radiance(
-          shade(scene, options, {Vec3(0.1f, 0.2f, -0.1f), d}, sampler, visibility, log));
+      const DVec3 radiance(paths.radiance({Vec3(0.1f, 0.2f, -0.1f), d}, sampler));
       if (kind == SamplerKind::independent)
         for (int c = 0; c < 3; ++c) stats[c].add(radiance[c]);
       sum += radiance;
@@ -144,8 +142,7 @@ TEST(Furnace, BoxHasOneReflectionAwayFromItsEdges) {
 TEST(Furnace, BoxHasTheSumOfTheSeriesBySolidAngle) {
   const Diffuse wall{Rgb(0.8f, 0.5f, 0.2f)};
   const Scene scene = furnace(box, wall);
-  const DirectMethod* method = find_direct_method("solid-angle");
-  ASSERT_NE(method, nullptr);
+  const DirectMethod* method = &direct_method("solid-angle");
   PValues p_values;
   for (const SamplerKind kind : kSamplers)
     for (const std::optional<std::uint32_t> max_depth :
@@ -166,20 +163,20 @@ TEST(Furnace, IcosphereHasTheSumOfTheSeriesWithSharedPaths) {
     if (!must_hold(method)) continue;
     for (const std::optional<std::uint32_t> max_depth :
          std::initializer_list<std::optional<std::uint32_t>>{2, 3, 5, std::nullopt}) {
-      const ShadeOptions options{&method, max_depth};
-      PathGroup group(scene, options);
-      Visibility visibility(scene);
+      const PathOptions options{&method, max_depth};
+      const auto tracer = make_path_tracer(scene, options, true);
+      RayQueries rays(scene);
       PathLog log;
       TestRandom random(6);
       std::array<RunningStats, 3> stats;
       for (std::uint32_t i = 0; i < 3'000; ++i) {
-        std::vector<SharedPath> paths;
+        std::vector<PathSample> samples;
         for (std::uint32_t k = 0; k < 12; ++k)
-          paths.push_back({{Vec3(0.1f, 0.2f, -0.1f), random.direction()},
-                           PathSampler(SamplerKind::independent, 3, i, k, 0)});
-        group.shade(paths, visibility, log, 0);
+          samples.push_back({PathSampler(SamplerKind::independent, 3, i, k, 0),
+                             {Vec3(0.1f, 0.2f, -0.1f), random.direction()}});
+        tracer->trace(samples, rays, log, 0);
         DVec3 mean(0.0);
-        for (const SharedPath& path : paths) mean += DVec3(path.radiance) / 12.0;
+        for (const PathSample& sample : samples) mean += DVec3(sample.radiance) / 12.0;
         for (int c = 0; c < 3; ++c) stats[c].add(mean[c]);
       }
       add_channels(p_values,

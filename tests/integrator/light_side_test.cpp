@@ -5,9 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "raytracing/integrator/shade.h"
+#include "raytracing/integrator/path_tracer.h"
 #include "support/p_values.h"
 #include "support/scenes.h"
+#include "support/single_paths.h"
 
 namespace raytracing {
 namespace {
@@ -17,12 +18,10 @@ const Vec3 kX(1.0f, 0.0f, 0.0f), kY(0.0f, 1.0f, 0.0f), kZ(0.0f, 0.0f, 1.0f);
 
 Rgb sum_of_samples(const Scene& scene, const DirectMethod& method, const Ray& ray,
                    std::optional<std::uint32_t> max_depth = {}) {
-  Visibility visibility(scene);
-  PathLog log;
+  SinglePaths paths(scene, {&method, max_depth});
   Rgb sum(0.0f);
   for (int i = 0; i < 500; ++i) {
-    PathSampler sampler(SamplerKind::independent, 3, 0, 0, i);
-    sum += shade(scene, {&method, max_depth}, ray, sampler, visibility, log);
+    sum += paths.radiance(ray, PathSampler(SamplerKind::independent, 3, 0, 0, i));
   }
   return sum;
 }
@@ -97,12 +96,10 @@ TEST(LightSide, TwoLightsAddUp) {
       RunningStats stats[4];
       for (const int set : {1, 2, 3}) {
         const Scene scene = under_two_lights(material, set);
-        Visibility visibility(scene);
-        PathLog log;
-        for (int i = 0; i < 100'000; ++i) {
-          PathSampler sampler(SamplerKind::independent, set, 0, 0, i);
-          stats[set].add(shade(scene, {&method, 1}, ray, sampler, visibility, log).x);
-        }
+        SinglePaths paths(scene, {&method, 1});
+        for (int i = 0; i < 100'000; ++i)
+          stats[set].add(
+              paths.radiance(ray, PathSampler(SamplerKind::independent, set, 0, 0, i)).x);
       }
       const double error = std::hypot(stats[1].standard_error(), stats[2].standard_error(),
                                       stats[3].standard_error());

@@ -69,7 +69,7 @@ std::vector<BiasCase> bias_cases() {
 }
 
 TEST(LineRatio, HasTheBiasOfItsFormulaAndNoOther) {
-  const DirectMethod* method = find_direct_method("line-ratio");
+  const DirectMethod* method = &direct_method("line-ratio");
   ASSERT_NE(method, nullptr);
   ASSERT_FALSE(method->unbiased);
   PValues p_values;
@@ -102,7 +102,7 @@ TEST(LineRatio, IsUnbiasedWhereTheShadowEdgeRunsAlongTheChords) {
                           Diffuse{Rgb(0.7f)});
   ASSERT_FALSE(scene.dark().empty());
   const RunningStats stats =
-      measure(scene, *find_direct_method("line-ratio"), SamplerKind::independent, 400'000);
+      measure(scene, direct_method("line-ratio"), SamplerKind::independent, 400'000);
   const double truth = scene.lambert_radiance();
   EXPECT_GT(mean_p_value(stats, truth, 2e-5 * truth), kFamilyLevel);
 }

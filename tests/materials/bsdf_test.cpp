@@ -1,8 +1,7 @@
-#include "raytracing/materials/bsdf.h"
-
 #include <gtest/gtest.h>
 
 #include "ggx_reference.h"
+#include "raytracing/materials/material.h"
 #include "raytracing/math/numeric.h"
 #include "support/statistics.h"
 

@@ -44,7 +44,7 @@ Repetition repetition(const Scene& scene, const Setting& setting, std::uint64_t 
   options.seed = seed;
   options.threads = 2;
   options.tile_size = 2;
-  options.shade.method = find_direct_method("solid-angle");
+  options.path.method = &direct_method("solid-angle");
   const RenderResult result = render(scene, options, false, {});
   Repetition values;
   for (std::size_t i = 0; i < kValues; ++i) {

@@ -25,7 +25,7 @@ RenderOptions options_of(SamplerKind sampler) {
   options.width = 37;
   options.height = 23;
   options.spp = 21;
-  options.shade.method = &direct_methods()[0];
+  options.path.method = &direct_methods()[0];
   options.sampler = sampler;
   options.seed = 7;
   return options;
@@ -38,7 +38,7 @@ TEST(Determinism, PictureDependsNeitherOnThreadsNorOnTiles) {
   for (const SamplerKind sampler : kSamplers)
     for (const DirectMethod& method : direct_methods()) {
       RenderOptions options = options_of(sampler);
-      options.shade.method = &method;
+      options.path.method = &method;
       const RenderResult first = render_all(scene, options);
       EXPECT_TRUE(first.complete);
       EXPECT_GT(first.film.mean().x, 0.01);
@@ -62,7 +62,7 @@ TEST(Determinism, SeedSamplerAndMethodMakeDifferentPictures) {
   RenderOptions seed = options, sampler = options, method = options;
   ++seed.seed;
   sampler.sampler = SamplerKind::independent;
-  method.shade.method = &direct_methods()[1];
+  method.path.method = &direct_methods()[1];
   const RenderResult first = render_all(scene, options);
   for (const RenderOptions& other : {seed, sampler, method})
     EXPECT_GT(differing_pixels(first.film, render_all(scene, other).film), 37 * 23 / 2);
@@ -78,13 +78,11 @@ TEST(Determinism, EachSampleOfEachPixelHasItsOwnNumbers) {
     RenderOptions options = options_of(sampler);
     options.width = options.height = 8;
     const Camera camera(scene.camera(), 8, 8);
-    Visibility visibility(scene);
-    PathLog log;
     std::vector<Vec2> places;
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 8; ++x)
         for (std::uint64_t i = 0; i < 4; ++i) {
-          trace_sample(scene, camera, options, x, y, i, visibility, log);
+          trace_sample(scene, options, {x, y, i}).radiance;
           ASSERT_FALSE(log.steps.empty());
           const Vec3 p = log.steps[0].position;
           const Vec2 place(4 * (p.x + 1) - static_cast<float>(x),
@@ -104,13 +102,11 @@ TEST(Determinism, TraceSampleIsWhatRenderAdds) {
     options.threads = 2;
     const RenderResult result = render_all(scene, options);
     const Camera camera(scene.camera(), options.width, options.height);
-    Visibility visibility(scene);
-    PathLog log;
     for (int y = 0; y < options.height; ++y)
       for (int x = 0; x < options.width; ++x) {
         Film::Pixel pixel;
         for (std::uint64_t i = 0; i < options.spp; ++i)
-          pixel.add(trace_sample(scene, camera, options, x, y, i, visibility, log));
+          pixel.add(trace_sample(scene, options, {x, y, i}).radiance);
         EXPECT_TRUE(same_pixel(pixel, result.film.at(x, y))) << x << ", " << y;
       }
     EXPECT_EQ(visibility.counts().closest, result.rays.closest);
@@ -126,11 +122,9 @@ TEST(Determinism, FewerSamplesAreTheFirstOnesOfMore) {
   const RenderResult result = render_all(scene, options);
   options.spp = 50;
   const Camera camera(scene.camera(), options.width, options.height);
-  Visibility visibility(scene);
-  PathLog log;
   Film::Pixel pixel;
   for (std::uint64_t i = 0; i < 5; ++i)
-    pixel.add(trace_sample(scene, camera, options, 11, 13, i, visibility, log));
+    pixel.add(trace_sample(scene, options, {11, 13, i}).radiance);
   EXPECT_TRUE(same_pixel(pixel, result.film.at(11, 13)));
 }
 
@@ -141,8 +135,6 @@ TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
   options.tile_size = 8;
   const RenderResult whole = render_all(scene, options);
   const Camera camera(scene.camera(), options.width, options.height);
-  Visibility visibility(scene);
-  PathLog log;
   for (const int threads : {1, 3}) {
     options.threads = threads;
     std::atomic<bool> stop = false;
@@ -162,7 +154,7 @@ TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
                     pixel.samples == 40);
         Film::Pixel same;
         for (std::uint64_t i = 0; i < pixel.samples; ++i)
-          same.add(trace_sample(scene, camera, options, x, y, i, visibility, log));
+          same.add(trace_sample(scene, options, {x, y, i}).radiance);
         EXPECT_TRUE(same_pixel(same, pixel));
         paths += pixel.samples;
       }

@@ -57,8 +57,8 @@ NoisyPicture render_ours(const Case& c, const NoisyPicture& reference,
   options.replicates = 32;
   options.seed = 1;
   options.threads = 2;
-  options.shade.method = find_direct_method("solid-angle");
-  if (c.direct) options.shade.max_depth = 1;
+  options.path.method = &direct_method("solid-angle");
+  if (c.direct) options.path.max_depth = 1;
   return render_picture(std::move(description), options);
 }
 

@@ -113,7 +113,7 @@ TEST(RunFacts, UnlimitedDepthIsAWord) {
 TEST(RunFacts, OfARenderingAreAllThere) {
   RenderOptions options;
   options.width = options.height = 1;
-  options.shade.method = &direct_methods()[0];
+  options.path.method = &direct_methods()[0];
   RunFacts facts;
   add_options(facts, options);
   add_result(facts, options, RenderResult(Film(1, 1)));

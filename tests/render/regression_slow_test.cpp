@@ -39,7 +39,7 @@ NoisyPicture render_picture(SceneDescription description, std::string_view metho
   options.seed = seed;
   options.threads = 2;
   options.sampler = SamplerKind::independent;
-  options.shade.method = find_direct_method(method);
+  options.path.method = &direct_method(method);
   return render_picture(std::move(description), options);
 }
 

@@ -22,7 +22,7 @@ RenderOptions options_of(std::uint64_t spp, std::uint64_t replicates) {
   options.spp = spp;
   options.replicates = replicates;
   options.seed = 7;
-  options.shade.method = find_direct_method("solid-angle");
+  options.path.method = &direct_method("solid-angle");
   return options;
 }
 
@@ -41,15 +41,12 @@ TEST(Replicates, MeanAndVarianceAreThoseOfTheirMeans) {
     options.sampler = sampler;
     const RenderResult result = render_all(scene, options);
     const Camera camera(scene.camera(), options.width, options.height);
-    Visibility visibility(scene);
-    PathLog log;
     double spread = 0;
     for_each_pixel(result.film, [&](int x, int y, const Film::Pixel& pixel) {
       DVec3 mean(0.0), squares(0.0);
       std::vector<DVec3> means(5, DVec3(0.0));
       for (std::uint64_t i = 0; i < 60; ++i)
-        means[i / 12] +=
-            DVec3(trace_sample(scene, camera, options, x, y, i, visibility, log)) / 12.0;
+        means[i / 12] += DVec3(trace_sample(scene, options, {x, y, i}).radiance) / 12.0;
       for (const DVec3& m : means) mean += m / 5.0;
       for (const DVec3& m : means) squares += (m - mean) * (m - mean);
       EXPECT_EQ(pixel.samples, 60u);
@@ -85,14 +82,12 @@ TEST(Replicates, PictureDependsNeitherOnThreadsNorOnTiles) {
 TEST(Replicates, TheFirstIsTheShorterPicture) {
   const Scene scene = cornell();
   const Camera camera(scene.camera(), 13, 9);
-  Visibility visibility(scene);
-  PathLog log;
   for (const SamplerKind sampler : kSamplers) {
     RenderOptions one = options_of(8, 1), four = options_of(32, 4);
     one.sampler = four.sampler = sampler;
     for (std::uint64_t i = 0; i < 8; ++i)
-      EXPECT_EQ(trace_sample(scene, camera, one, 6, 5, i, visibility, log),
-                trace_sample(scene, camera, four, 6, 5, i, visibility, log));
+      EXPECT_EQ(trace_sample(scene, one, {6, 5, i}).radiance,
+                trace_sample(scene, four, {6, 5, i}).radiance);
   }
 }
 

@@ -24,8 +24,8 @@ RenderOptions options_of(const std::string& method, int reuse,
   options.height = 22;
   options.spp = 8;
   options.reuse = reuse;
-  options.shade.method = find_direct_method(method);
-  options.shade.max_depth = max_depth;
+  options.path.method = &direct_method(method);
+  options.path.max_depth = max_depth;
   options.threads = 2;
   return options;
 }

@@ -27,7 +27,7 @@ RenderOptions options_of(int reuse) {
   options.height = 9;
   options.spp = 6;
   options.reuse = reuse;
-  options.shade.method = find_direct_method("solid-angle");
+  options.path.method = &direct_method("solid-angle");
   options.seed = 7;
   return options;
 }
@@ -40,7 +40,7 @@ TEST(Reuse, PictureDependsNeitherOnThreadsNorOnTiles) {
         RenderOptions options = options_of(reuse);
         options.width = 37;
         options.height = 23;
-        options.shade.method = &method;
+        options.path.method = &method;
         options.replicates = replicates;
         const RenderResult first = render_all(scene, options);
         EXPECT_TRUE(first.complete);
@@ -65,13 +65,11 @@ TEST(Reuse, TraceSampleIsWhatRenderAdds) {
     const RenderOptions options = options_of(reuse);
     const RenderResult result = render_all(scene, options);
     const Camera camera(scene.camera(), options.width, options.height);
-    Visibility visibility(scene);
-    PathLog log;
     for (int y = 0; y < options.height; ++y)
       for (int x = 0; x < options.width; ++x) {
         Film::Pixel pixel;
         for (std::uint64_t i = 0; i < options.spp; ++i) {
-          const Rgb radiance = trace_sample(scene, camera, options, x, y, i, visibility, log);
+          const Rgb radiance = trace_sample(scene, options, {x, y, i}).radiance;
           pixel.add(radiance);
           Rgb logged(0.0f);
           for (const PathLog::Step& step : log.steps) logged += step.emitted + step.direct;
@@ -103,9 +101,9 @@ TEST(Reuse, ShaftsTellWhatRaysTell) {
 TEST(Reuse, HasNothingToDoForDirectLight) {
   const Scene scene = room();
   RenderOptions off = options_of(1), on = options_of(4);
-  off.shade.max_depth = on.shade.max_depth = 1;
+  off.path.max_depth = on.path.max_depth = 1;
   EXPECT_EQ(differing_pixels(render_all(scene, off).film, render_all(scene, on).film), 0);
-  off.shade.max_depth = on.shade.max_depth = 2;
+  off.path.max_depth = on.path.max_depth = 2;
   EXPECT_GT(differing_pixels(render_all(scene, off).film, render_all(scene, on).film), 100);
 }
 
@@ -124,8 +122,6 @@ TEST(Reuse, ARenderStoppedEarlyHoldsWholeSamples) {
       });
   EXPECT_FALSE(part.complete);
   const Camera camera(scene.camera(), 40, 40);
-  Visibility visibility(scene);
-  PathLog log;
   std::uint64_t paths = 0;
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 40; ++x) {
@@ -134,7 +130,7 @@ TEST(Reuse, ARenderStoppedEarlyHoldsWholeSamples) {
       if ((x + y) % 7 != 0) continue;
       Film::Pixel same;
       for (std::uint64_t i = 0; i < pixel.samples; ++i)
-        same.add(trace_sample(scene, camera, options, x, y, i, visibility, log));
+        same.add(trace_sample(scene, options, {x, y, i}).radiance);
       EXPECT_TRUE(same_pixel(same, pixel));
     }
   EXPECT_EQ(paths, part.paths);

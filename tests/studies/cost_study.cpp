@@ -80,7 +80,7 @@ double time_block(const std::vector<Question>& questions, const F& query) {
 
 Cost measure_cost(const Scene& scene, const std::vector<Question>& questions, TestRandom& random) {
   const std::vector<Question> mixed = scattered(questions, random);
-  Visibility visibility(scene);
+  RayQueries visibility(scene);
   const PathSampler sampler(SamplerKind::sobol, 1, 0, 0, 0);
   const DirectMethod& points = direct_method("solid-angle");
   const DirectMethod& lines = direct_method("line");
@@ -94,7 +94,7 @@ Cost measure_cost(const Scene& scene, const std::vector<Question>& questions, Te
   };
   const auto estimate = [&](const DirectMethod& method) {
     return [&](const Question& q) {
-      sink = method.estimate({q.vertex, *q.light, 1.0f, q.u, sampler, 1, 1}, visibility).x;
+      sink = estimate_direct(method, {q.vertex, *q.light, 1.0f, q.u, sampler, 1, 1}, visibility).x;
     };
   };
   Cost cost;

@@ -48,7 +48,7 @@ const std::vector<Entry>& entries() {
 
 // Whether the pixel shows one flat surface, partly in the light.
 bool is_penumbra(const Scene& scene, const Camera& camera, const Pixel& pixel) {
-  Visibility visibility(scene);
+  RayQueries visibility(scene);
   const AreaLight& light = scene.lights()[0];
   std::optional<Vertex> first;
   for (int k = 0; k < 25; ++k) {
@@ -76,7 +76,7 @@ bool is_penumbra(const Scene& scene, const Camera& camera, const Pixel& pixel) {
 
 // One sample: what render() takes for direct light alone.
 DVec3 take_sample(const Scene& scene, const Camera& camera, const Entry& entry, const Pixel& pixel,
-                  std::uint64_t seed, std::uint64_t index, Visibility& visibility) {
+                  std::uint64_t seed, std::uint64_t index, RayQueries& visibility) {
   const DirectMethod& method = direct_method(entry.method);
   PathSampler sampler(SamplerKind::sobol, seed, static_cast<std::uint32_t>(pixel.x),
                       static_cast<std::uint32_t>(pixel.y), index);
@@ -89,7 +89,7 @@ DVec3 take_sample(const Scene& scene, const Camera& camera, const Entry& entry, 
   const Vertex v = scene.vertex(ray, *hit);
   const DirectQuery query{v,       scene.lights()[0], 1.0f, sampler.pair(light_pair),
                           sampler, light_pair,        4};
-  return DVec3(method.estimate(query, visibility));
+  return DVec3(estimate_direct(method, query, visibility));
 }
 
 // Calls work(pixel number) for all pixels, on all threads.
@@ -119,7 +119,7 @@ Reference make_reference(const Scene& scene, const Camera& camera,
   for (const std::uint64_t half : {0, 1}) {
     halves[half].resize(pixels.size());
     for_pixels(pixels.size(), [&](std::size_t p) {
-      Visibility visibility(scene);
+      RayQueries visibility(scene);
       DVec3 sum(0.0);
       for (std::uint64_t i = 0; i < kReferenceSpp; ++i)
         sum += take_sample(scene, camera, line, pixels[p], 1001 + half, i, visibility);
@@ -141,7 +141,7 @@ std::vector<double> measure_errors(const Scene& scene, const Camera& camera, con
   const int logs = entry.largest_log + 1;
   std::vector<std::vector<double>> errors(pixels.size(), std::vector<double>(logs));
   for_pixels(pixels.size(), [&](std::size_t p) {
-    Visibility visibility(scene);
+    RayQueries visibility(scene);
     for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
       DVec3 sum(0.0);
       int log = 0;
@@ -169,8 +169,8 @@ std::map<std::string, double> measure_times(const Scene& scene) {
       RenderOptions options;
       options.width = options.height = kSize;
       options.spp = kTimedSpp;
-      options.shade.method = &direct_method(method);
-      options.shade.max_depth = 1;
+      options.path.method = &direct_method(method);
+      options.path.max_depth = 1;
       options.threads = kThreads;
       const std::atomic<bool> stop{false};
       seconds[method].push_back(render(scene, options, stop, {}).cpu_seconds / kTimedSpp);

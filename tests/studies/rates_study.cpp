@@ -88,7 +88,7 @@ std::vector<Case> cases() {
   };
 }
 
-constexpr std::uint32_t kPair = 1;  // the first vertex's, as in shade()
+constexpr std::uint32_t kPair = 1;  // the pair of the first vertex
 
 // A method with its sampler.
 struct Variant {
@@ -135,13 +135,13 @@ void add_errors(const DirectScene& scene, double truth, const Variant& variant, 
                 Errors& errors) {
   const DirectMethod& method = direct_method(variant.method);
   const AreaLight& light = scene.scene().lights()[0];
-  Visibility visibility(scene.scene());
+  RayQueries visibility(scene.scene());
   double sum = 0;
   int log = 0;
   for (int i = 1; i <= 1 << kLargestLog; ++i) {
     PathSampler sampler(variant.kind, 7, x, 0, static_cast<std::uint64_t>(i - 1));
     const DirectQuery query{scene.vertex(), light, 1.0f, sampler.pair(kPair), sampler, kPair, 4};
-    sum += method.estimate(query, visibility).x;
+    sum += estimate_direct(method, query, visibility).x;
     if (i != 1 << log) continue;
     const double error = sum / i / truth - 1;
     errors[log++] += error * error / (kVariations * kRandomisations);

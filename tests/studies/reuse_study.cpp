@@ -39,7 +39,7 @@ Render render_once(const Scene& scene, int edge, std::uint64_t spp, std::uint64_
   options.spp = spp;
   options.reuse = edge;
   options.seed = seed;
-  options.shade.method = &direct_method("point");
+  options.path.method = &direct_method("point");
   options.threads = kThreads;
   const std::atomic<bool> stop{false};
   const RenderResult result = render(scene, options, stop, {});

@@ -16,12 +16,20 @@ namespace {
 
 const DirectMethod& point() { return direct_method("point"); }
 
-DirectMethod planted(Rgb (*estimate)(const DirectQuery&, Visibility&)) {
-  DirectMethod method = point();
-  method.name = "planted";
-  method.estimate = estimate;
-  method.pdf_w = nullptr;
-  return method;
+DirectMethod planted(void (*estimate)(const DirectQuery&, RayQueries&, DirectEstimate&)) {
+  return {.name = "planted",
+          .summary = "",
+          .cost = "",
+          .unbiased = true,
+          .colour = "#888888",
+          .mark = 1,
+          .estimate = estimate};
+}
+
+/// Adds the light of one point, times `factor`.
+void add_scaled_point(const DirectQuery& query, DirectEstimate& estimate, float factor) {
+  const Vec3 q = sample_area(query.light, query.u);
+  estimate.add_point(q, area_pdf_w(query.light, query.vertex.position, q), factor);
 }
 
 StressPlan plan(const std::vector<std::string>& cases, std::vector<const DirectMethod*> methods) {
@@ -40,9 +48,10 @@ StressResult run(const StressPlan& p) {
 
 TEST(StressRun, FindsAPlantedBias) {
   // 2 % too bright: below the noise of one pixel, above that of all.
-  const DirectMethod biased = planted([](const DirectQuery& query, Visibility& visibility) {
-    return 1.02f * point().estimate(query, visibility);
-  });
+  const DirectMethod biased =
+      planted([](const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
+        add_scaled_point(query, estimate, 1.02f);
+      });
   const StressResult result = run(plan({"edge-direction"}, {&point(), &biased}));
   ASSERT_EQ(result.cells.size(), 18u);
   for (const StressCell& cell : result.cells) {
@@ -64,10 +73,11 @@ TEST(StressRun, AnAdmittedBiasIsNoFailure) {
 
 TEST(StressRun, FindsPlantedNonFiniteSamples) {
   // One in about 8000.
-  const DirectMethod broken = planted([](const DirectQuery& query, Visibility& visibility) {
-    const Rgb value = point().estimate(query, visibility);
-    return query.u.x < 1.25e-4f ? Rgb(std::numeric_limits<float>::quiet_NaN()) : value;
-  });
+  const DirectMethod broken =
+      planted([](const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
+        add_scaled_point(query, estimate, 1);
+        if (query.u.x < 1.25e-4f) estimate.add_irradiance(std::numeric_limits<float>::quiet_NaN());
+      });
   const StressResult result = run(plan({"scale"}, {&broken}));
   for (const StressCell& cell : result.cells) {
     EXPECT_EQ(cell.verdict, Verdict::broken);
@@ -79,9 +89,10 @@ TEST(StressRun, FindsPlantedNonFiniteSamples) {
 }
 
 TEST(StressRun, NegativeSamplesAreBroken) {
-  const DirectMethod negative = planted([](const DirectQuery& query, Visibility&) {
-    return query.u.x < 0.5f ? Rgb(-1.0f) : Rgb(1.0f);
-  });
+  const DirectMethod negative =
+      planted([](const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
+        estimate.add_irradiance(query.u.x < 0.5f ? -1.0f : 1.0f);
+      });
   EXPECT_EQ(run(plan({"scale"}, {&negative})).cells[0].verdict, Verdict::broken);
 }
 
@@ -141,7 +152,7 @@ TEST(StressRun, MoreSeedsMeasureMorePixels) {
 
 // A method whose directions for shared paths are 2 % too bright is right everywhere else.
 TEST(StressRun, FindsWrongBookkeepingOfSharedPaths) {
-  const DirectMethod biased = planted([](const DirectQuery& query, Visibility& visibility) {
+  const DirectMethod biased = planted([](const DirectQuery& query, RayQueries& visibility) {
     const Rgb value = point().estimate(query, visibility);
     if (query.directions != nullptr)
       for (LightSample& sample : *query.directions) sample.light *= 1.02f;
@@ -193,9 +204,10 @@ TEST(StressCases, EachHasANameOfItsOwnAndAReceiver) {
 
 // The pictures' data has a block for each case and one for the overview; the page tells what fails.
 TEST(StressPage, ShowsEveryCellAndTheRule) {
-  const DirectMethod biased = planted([](const DirectQuery& query, Visibility& visibility) {
-    return 1.5f * point().estimate(query, visibility);
-  });
+  const DirectMethod biased =
+      planted([](const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
+        add_scaled_point(query, estimate, 1.5f);
+      });
   const StressResult result = run(plan({"terminator", "scale"}, {&point(), &biased}));
   const std::string csv = stress_csv(result);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * (5 + 7));

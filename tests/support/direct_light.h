@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/integrator/shade.h"
-#include "raytracing/materials/bsdf.h"
+#include "raytracing/integrator/path_tracer.h"
+#include "raytracing/materials/material.h"
 #include "raytracing/study/stress/exact_polygons.h"
 #include "support/scenes.h"
+#include "support/single_paths.h"
 #include "support/statistics.h"
 
 namespace raytracing {
@@ -71,10 +72,7 @@ class DirectScene {
   float sample(const DirectMethod& method, SamplerKind kind, std::uint32_t x,
                std::uint64_t sample) const {
     PathSampler sampler(kind, 1, x, 0, sample);
-    Visibility visibility(scene_);
-    PathLog log;
-    const ShadeOptions options{&method, 1};
-    return shade(scene_, options, ray_, sampler, visibility, log).x;
+    return SinglePaths(scene_, {&method, 1}).radiance(ray_, sampler).x;
   }
 
  private:

@@ -1,31 +1,60 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 
-#include "raytracing/math/vec.h"
+#include "raytracing/materials/diffuse.h"
+#include "raytracing/materials/ggx.h"
 
 namespace raytracing {
 
-/// Lambert's reflector: f = reflectance / pi on both sides.
-struct Diffuse {
-  Rgb reflectance{0.5f};  ///< each in [0,1]
-};
-
-/// How the reflectance of a conductor depends on the angle between half vector and direction.
-enum class Fresnel {
-  none,     ///< constant: the reflectance at every angle
-  schlick,  ///< Schlick 1994, eq. 15, with the reflectance at normal incidence
-};
-
-/// Rough conductor with the GGX distribution of microfacets (Walter et al. 2007), height-correlated
-/// Smith masking and shadowing (Heitz 2014, eq. 99), single scattering.
-struct GgxConductor {
-  Rgb reflectance{0.9f};  ///< each in [0,1]
-  float alpha = 0.16f;    ///< roughness squared, in (0,1]
-  Fresnel fresnel = Fresnel::none;
-};
-
-/// The closed set of surface reflectances.
+/// The closed set of surface reflectances. To add one, write its struct in a header of its own and
+/// name it here. The compiler then asks for what each must have: eval_cos, bsdf_pdf_w, sample_bsdf
+/// and lobe_shape by the conventions of bsdf_sample.h; the constants kLambertian and kWantsMis; and
+/// its place wherever kinds are told apart (by `visit_material`).
 using Material = std::variant<Diffuse, GgxConductor>;
+
+/// Calls `f` with the material's own kind. `f` must take every kind, or the program does not
+/// compile. It asks the kinds in turn: std::visit would not be inlined.
+template <class F, std::size_t I = 0>
+auto visit_material(const Material& material, const F& f) {
+  if constexpr (I + 1 < std::variant_size_v<Material>) {
+    if (const auto* kind = std::get_if<I>(&material)) return f(*kind);
+    return visit_material<F, I + 1>(material, f);
+  } else {
+    return f(*std::get_if<I>(&material));
+  }
+}
+
+/// f(wo,wi) |cos wi|.
+inline Rgb eval_cos(const Material& material, const Vec3& wo, const Vec3& wi) {
+  return visit_material(material, [&](const auto& kind) { return eval_cos(kind, wo, wi); });
+}
+
+/// A direction with density bsdf_pdf_w. Nothing when the sample points below the surface: it then
+/// carries no light.
+inline std::optional<BsdfSample> sample_bsdf(const Material& material, const Vec3& wo,
+                                             const Vec2& u) {
+  return visit_material(material, [&](const auto& kind) { return sample_bsdf(kind, wo, u); });
+}
+
+inline float bsdf_pdf_w(const Material& material, const Vec3& wo, const Vec3& wi) {
+  return visit_material(material, [&](const auto& kind) { return bsdf_pdf_w(kind, wo, wi); });
+}
+
+inline LobeShape lobe_shape(const Material& material) {
+  return visit_material(material, [](const auto& kind) { return lobe_shape(kind); });
+}
+
+/// Whether f is constant: the reflected light is the same for all viewers, and follows from the
+/// irradiance.
+inline bool is_lambertian(const Material& material) {
+  return visit_material(material, [](const auto& kind) { return kind.kLambertian; });
+}
+
+/// Whether light that BSDF sampling finds should share the work with light sampling.
+inline bool wants_mis(const Material& material) {
+  return visit_material(material, [](const auto& kind) { return kind.kWantsMis; });
+}
 
 }  // namespace raytracing

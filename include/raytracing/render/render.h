@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "raytracing/integrator/shade.h"
+#include "raytracing/integrator/path_tracer.h"
 #include "raytracing/render/film.h"
 #include "raytracing/scene/camera.h"
 
@@ -22,7 +22,7 @@ struct RenderOptions {
   std::uint64_t replicates = 1;
   /// Edge of the groups of pixels that share paths: 1 = none do; 2, 4, 8 or 16. See PixelGroups.
   int reuse = 1;
-  ShadeOptions shade;
+  PathOptions path;
   SamplerKind sampler = SamplerKind::sobol;
   std::uint64_t seed = 0;
   int threads = 1;
@@ -31,13 +31,18 @@ struct RenderOptions {
 
 /// Whether samples share paths: not where there is nothing to share.
 inline bool shares_paths(const RenderOptions& options) {
-  return options.reuse > 1 && options.shade.max_depth != 1u;
+  return options.reuse > 1 && options.path.max_depth != 1u;
 }
+
+/// Sample number `sample` of the pixel (x, y); rows count from the top.
+struct SampleIndex {
+  int x, y;
+  std::uint64_t sample;
+};
 
 /// A sample whose radiance was infinite or not a number. It counts as black.
 struct NonFiniteSample {
-  int x, y;
-  std::uint64_t sample;
+  SampleIndex index;
   NonFiniteCause cause;
 };
 
@@ -56,7 +61,8 @@ struct RenderResult {
   bool complete = true;       ///< false when stopped early
 };
 
-/// Told from time to time by one thread at a time: samples done and samples in all.
+/// Is called from time to time, by one thread at a time, with the samples done and the samples in
+/// all.
 using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 /// Renders the picture by `options.threads` threads, or as many as can be started. The result does
@@ -65,8 +71,14 @@ using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t to
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                     const ProgressCallback& progress);
 
-/// Radiance of one sample of one pixel, as render() would take it; `log` receives its path.
-Rgb trace_sample(const Scene& scene, const Camera& camera, const RenderOptions& options, int x,
-                 int y, std::uint64_t sample, Visibility& visibility, PathLog& log);
+/// One sample as render() takes it, and how it came about.
+struct TracedSample {
+  Rgb radiance;
+  PathLog log;
+  RayCounts rays;  ///< of the whole group of pixels that the sample shares paths with
+};
+/// Traces one sample again: `index` lies within the picture and below options.spp.
+TracedSample trace_sample(const Scene& scene, const RenderOptions& options,
+                          const SampleIndex& index);
 
 }  // namespace raytracing

@@ -38,7 +38,7 @@ RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run) 
   options.height = settings.height;
   options.spp = run.spp;
   options.reuse = kReuse;
-  options.shade = {run.method, settings.max_depth, settings.line_rays};
+  options.path = {run.method, settings.max_depth, settings.line_rays};
   options.sampler = settings.sampler;
   options.seed = run.seed;
   options.threads = settings.threads;

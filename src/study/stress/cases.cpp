@@ -141,11 +141,7 @@ StressScene shared_paths(const Material& ceiling) {
   const LPolygon pieces[] = {long_polygon(light)};
   const DVec3 down(0, 0, -1);
   const auto reflected = [&](const DVec3& p, const DVec3& wo) {
-    if (const auto* diffuse = std::get_if<Diffuse>(&ceiling))
-      return kLe * diffuse->reflectance.x / std::numbers::pi *
-             static_cast<double>(lambert(pieces[0], LVec3(p), LVec3(down)));
-    const auto& ggx = std::get<GgxConductor>(ceiling);
-    return kLe * ggx.reflectance.x * ggx_radiance(pieces, LVec3(p), down, wo, ggx.alpha);
+    return kLe * reflected_radiance(ceiling, pieces, LVec3(p), down, wo);
   };
   // The irradiance from the ceiling, times the reflectance over pi.
   const double area = 4 * length(cross(DVec3(x), DVec3(y)));

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "case_builder.h"
-#include "raytracing/integrator/shade.h"
+#include "raytracing/integrator/path_tracer.h"
 #include "raytracing/render/pixel_groups.h"
 #include "raytracing/render/render.h"
 #include "raytracing/render/threads.h"
@@ -67,24 +67,26 @@ struct SampleSum {
   }
 };
 
-SampleSum sample_pixel(const PreparedSetting& prepared, const ShadeOptions& options,
-                       Visibility& visibility, std::uint64_t seed, std::uint32_t x) {
+SampleSum sample_pixel(const PreparedSetting& prepared, const PathOptions& options,
+                       RayQueries& rays, std::uint64_t seed, std::uint32_t x) {
+  const auto tracer = make_path_tracer(prepared.scene, options, false);
   PathLog log;
   SampleSum result;
   for (std::uint64_t i = 0; i < kStressSpp; ++i) {
-    PathSampler sampler(SamplerKind::sobol, seed, x, 0, i);
-    result.add(shade(prepared.scene, options, prepared.stress.ray, sampler, visibility, log).x);
+    PathSample sample{PathSampler(SamplerKind::sobol, seed, x, 0, i), prepared.stress.ray};
+    tracer->trace(std::span(&sample, 1), rays, log, 0);
+    result.add(sample.radiance.x);
   }
   return result;
 }
 
 // The samples of a picture of the size of a group, in the default mode of rendering.
-SampleSum sample_group(const PreparedSetting& prepared, const ShadeOptions& shade,
+SampleSum sample_group(const PreparedSetting& prepared, const PathOptions& path,
                        std::uint64_t seed) {
   RenderOptions options;
   options.width = options.height = options.reuse = PixelGroups::kMaxEdge;
   options.spp = kGroupSpp;
-  options.shade = shade;
+  options.path = path;
   options.seed = seed;
   const RenderResult picture = render(prepared.scene, options, prepared.stop, {});
   SampleSum result;
@@ -99,10 +101,10 @@ SampleSum sample_group(const PreparedSetting& prepared, const ShadeOptions& shad
 // Measures the pixels of the seeds first .. first + count - 1, or fewer when stopped.
 void measure(const PreparedSetting& prepared, std::uint64_t first, std::uint64_t count,
              StressCell& cell) {
-  const ShadeOptions options{cell.method, prepared.stress.max_depth, prepared.line_rays};
+  const PathOptions options{cell.method, prepared.stress.max_depth, prepared.line_rays};
   const bool shared = prepared.stress.shares_paths;
   const double samples = shared ? kGroupSpp * kGroupPixels : kStressSpp;
-  Visibility visibility(prepared.scene);
+  RayQueries visibility(prepared.scene);
   std::vector<double> pixels;
   cell.not_finite = 0;
   cell.largest_sample = 0;

@@ -155,13 +155,7 @@ Seen seen_from(const StressScene& scene, const Vertex& vertex, const LVec3& eye)
     const std::vector<LPolygon> pieces = visible_pieces(above, occluders, eye);
     seen.power += light.Le * area(pieces);
     seen.share += area(pieces) / area({&whole, 1}) / static_cast<double>(scene.lights.size());
-    if (const auto* diffuse = std::get_if<Diffuse>(vertex.material)) {
-      seen.radiance += light.Le * diffuse->reflectance.x * lambert_radiance(pieces, p, ns);
-    } else {
-      const auto& ggx = std::get<GgxConductor>(*vertex.material);
-      seen.radiance +=
-          light.Le * ggx.reflectance.x * ggx_radiance(pieces, p, DVec3(ns), wo, ggx.alpha);
-    }
+    seen.radiance += light.Le * reflected_radiance(*vertex.material, pieces, p, DVec3(ns), wo);
   }
   return seen;
 }
@@ -178,6 +172,22 @@ long double float_rounding(const std::vector<std::vector<Vec3>>& polygons) {
 }
 
 }  // namespace
+
+double reflected_radiance(const Material& material, std::span<const LPolygon> pieces,
+                          const LVec3& p, const DVec3& n, const DVec3& wo) {
+  struct Reflected {
+    std::span<const LPolygon> pieces;
+    const LVec3& p;
+    const DVec3 &n, &wo;
+    double operator()(const Diffuse& m) const {
+      return double{m.reflectance.x} * lambert_radiance(pieces, p, LVec3(n));
+    }
+    double operator()(const GgxConductor& m) const {
+      return double{m.reflectance.x} * ggx_radiance(pieces, p, n, wo, m.alpha);
+    }
+  };
+  return visit_material(material, Reflected{pieces, p, n, wo});
+}
 
 double ggx_radiance(std::span<const LPolygon> pieces, const LVec3& p, const DVec3& n,
                     const DVec3& wo, double alpha) {

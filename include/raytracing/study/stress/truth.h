@@ -26,6 +26,12 @@ struct StressTruth {
 /// is lost, as in the renderer.
 StressTruth exact_radiance(const StressScene& scene, const Vertex& vertex);
 
+/// The red radiance reflected by the material from convex polygons of radiance 1, at the point p
+/// with the unit normal n, towards the unit vector `wo`. The reflectance of a conductor is taken as
+/// constant over the angle.
+double reflected_radiance(const Material& material, std::span<const LPolygon> pieces,
+                          const LVec3& p, const DVec3& n, const DVec3& wo);
+
 /// The radiance reflected by a GGX conductor of reflectance 1 from convex polygons of radiance 1,
 /// by cubature to a relative 1e-7: at the point p with the unit normal n, towards the unit vector
 /// `wo`.

@@ -31,9 +31,9 @@ struct RayCounts {
 };
 
 /// The questions that transport asks about the scene, counted. One per thread.
-class Visibility {
+class RayQueries {
  public:
-  explicit Visibility(const Scene& scene) : scene_(scene) {}
+  explicit RayQueries(const Scene& scene) : scene_(scene) {}
 
   std::optional<Hit> closest_hit(const Ray& ray) {
     ++counts_.closest;

@@ -1,0 +1,203 @@
+#include "group_connections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raytracing/materials/material.h"
+#include "raytracing/math/numeric.h"
+
+namespace raytracing {
+namespace {
+
+// A shaft query gives up after this number of steps, and rays are traced instead: what fills a
+// shaft that much costs less by rays. The time has a flat minimum, from 16 to 64 in the scenes of
+// this repository.
+constexpr int kShaftLimit = 32;
+
+// Reflection of light from one direction: f cos is `value` times the reflectance, in which white
+// has the weight `schlick`.
+struct Lobe {
+  float pdf_w;  // as bsdf_pdf_w
+  float value;
+  float schlick;
+};
+
+Lobe lambertian_lobe(float cos_i) { return {cos_i * kInvPi, cos_i * kInvPi, 0}; }
+
+// The lobe around the unit shading normal n for the unit directions wo and wi above its horizon,
+// all in world space. Both kinds of lobe are computed and one is chosen, without branches.
+Lobe lobe(const LobeShape& shape, const Vec3& n, const Vec3& wo, const Vec3& wi) {
+  const float cos_o = dot(n, wo), cos_i = dot(n, wi);
+  const Vec3 sum = wo + wi, turned = cross(n, sum);
+  const float length2 = dot(sum, sum), scale = 1 / length2;
+  const float distribution =
+      ggx::distribution(shape.alpha, scale * dot(turned, turned), scale * square(dot(n, sum)));
+  const float stretched_o = ggx::stretched(shape.alpha, 1 - square(cos_o), square(cos_o));
+  const float stretched_i = ggx::stretched(shape.alpha, 1 - square(cos_i), square(cos_i));
+  const bool ggx = shape.ggx > 0;
+  const float lambertian = cos_i * kInvPi;
+  return {ggx ? ggx::pdf_w(distribution, cos_o, stretched_o) : lambertian,
+          ggx ? ggx::value(distribution, cos_o, cos_i, stretched_o, stretched_i) : lambertian,
+          shape.schlick * ggx::schlick_weight(std::sqrt(length2) / 2)};
+}
+
+// Sum of the first n lanes, in one fixed order.
+float sum(const Lanes& lanes, int n) {
+  std::array<float, 8> partial{};
+  for (int k = 0; k < n; k += 8)
+    for (int i = 0; i < 8; ++i) partial[i] += lanes[k + i];
+  for (int step = 4; step > 0; step /= 2)
+    for (int i = 0; i < step; ++i) partial[i] += partial[i + step];
+  return partial[0];
+}
+
+// The reflectance, in which white has this weight.
+float with_white(float reflectance, float white) { return reflectance + (1 - reflectance) * white; }
+
+}  // namespace
+
+void GroupConnections::begin(std::size_t n) {
+  lanes_ = static_cast<int>(n + 7) / 8 * 8;
+  any_ggx_ = false;
+  for (int k = 0; k < lanes_; ++k) {
+    for (Vec3Lanes* lanes :
+         {&first_.origin, &first_.ng, &first_.ns, &first_.wo, &first_.reflectance, &gathered_})
+      lanes->set(k, Vec3(0.0f));
+    first_.ggx[k] = first_.schlick[k] = 0;
+    first_.alpha[k] = 1;
+  }
+}
+
+void GroupConnections::set_first(std::size_t lane, const Vertex& x) {
+  const int k = static_cast<int>(lane);
+  const LobeShape shape = lobe_shape(*x.material);
+  first_.origin.set(k, x.ray_origin());
+  first_.ng.set(k, x.ng);
+  first_.ns.set(k, x.shading.z);
+  first_.wo.set(k, x.shading.to_world(x.wo));
+  first_.reflectance.set(k, shape.reflectance);
+  first_.ggx[k] = shape.ggx;
+  first_.alpha[k] = shape.alpha;
+  first_.schlick[k] = shape.schlick;
+  any_ggx_ |= shape.ggx > 0;
+}
+
+void GroupConnections::connect_to(const Vertex& y, std::size_t owner, RayQueries& rays) {
+  const int own = static_cast<int>(owner);
+  any_ggx_ ? evaluate_unoccluded<true>(y) : evaluate_unoccluded<false>(y);
+  if (y.normal_replaced)
+    for (int k = 0; k < lanes_; ++k)
+      if (k != own) connections_.pdf_a[k] = connections_.value[k] = 0;
+  remove_occluded(y, own, rays);
+}
+
+template <bool kAnyGgx>
+void GroupConnections::evaluate_unoccluded(const Vertex& y) {
+  const Vec3 position = y.position, ng = y.ng, ns = y.shading.z;
+  for (int k = 0; k < lanes_; ++k) {
+    const Vec3 d = position - first_.origin.at(k);
+    const float distance2 = dot(d, d);
+    const Vec3 wi = d / std::sqrt(distance2);
+    const float cos_y = -dot(wi, ng);
+    const Vec3 nx = first_.ns.at(k);
+    const float above =
+        std::min(std::min(cos_y, -dot(wi, ns)), std::min(dot(wi, nx), dot(wi, first_.ng.at(k))));
+    Lobe l = lambertian_lobe(dot(wi, nx));
+    if constexpr (kAnyGgx) {
+      const LobeShape shape{
+          .ggx = first_.ggx[k], .alpha = first_.alpha[k], .schlick = first_.schlick[k]};
+      l = lobe(shape, nx, first_.wo.at(k), wi);
+    }
+    const float geometry = above > 0 ? cos_y / distance2 : 0.0f;
+    connections_.wo.x[k] = -wi.x;
+    connections_.wo.y[k] = -wi.y;
+    connections_.wo.z[k] = -wi.z;
+    connections_.pdf_a[k] = geometry > 0 ? l.pdf_w * geometry : 0.0f;
+    connections_.value[k] = geometry > 0 ? l.value * geometry : 0.0f;
+    connections_.schlick[k] = geometry > 0 ? l.schlick : 0.0f;
+  }
+}
+
+// The owner's bounce has arrived at y, so that its connection is unoccluded.
+void GroupConnections::remove_occluded(const Vertex& y, int owner, RayQueries& rays) {
+  const Vec3 from = y.ray_origin();
+  const Vec3Lanes& to = first_.origin;
+  alignas(64) std::array<std::int32_t, kMaxLanes> wanted;
+  for (int k = 0; k < lanes_; ++k) wanted[k] = connections_.pdf_a[k] > 0 ? 1 : 0;
+  wanted[owner] = 0;
+  std::int32_t any = 0;
+  for (int k = 0; k < lanes_; ++k) any |= wanted[k];
+  if (any == 0) return;
+  if (!rays.keep_visible(from, {to.x.data(), to.y.data(), to.z.data(), lanes_}, wanted.data(),
+                         kShaftLimit))
+    trace_each(from, wanted, rays);
+  wanted[owner] = 1;
+  for (int k = 0; k < lanes_; ++k) {
+    connections_.pdf_a[k] = wanted[k] != 0 ? connections_.pdf_a[k] : 0.0f;
+    connections_.value[k] = wanted[k] != 0 ? connections_.value[k] : 0.0f;
+  }
+}
+
+// Traces a ray for each connection that a shaft query left open.
+void GroupConnections::trace_each(const Vec3& from, std::array<std::int32_t, kMaxLanes>& wanted,
+                                  RayQueries& rays) const {
+  for (int begin = 0; begin < lanes_; begin += 8) {
+    unsigned bits = 0;
+    for (int i = 0; i < 8; ++i)
+      if (wanted[begin + i] != 0) bits |= 1u << i;
+    if (bits == 0) continue;
+    const unsigned hidden = rays.occluded8(from, &first_.origin.x[begin], &first_.origin.y[begin],
+                                           &first_.origin.z[begin], bits);
+    for (int i = 0; i < 8; ++i)
+      if ((hidden >> i) & 1) wanted[begin + i] = 0;
+  }
+}
+
+void GroupConnections::add(const Term& term, const Vertex& y) {
+  is_lambertian(*y.material) ? add_lambertian(term.light) : add_glossy(term, y);
+}
+
+// Light that has overflowed to infinity must not reach lanes that do not see it: 0 times infinity
+// is NaN. So a lane without a connection adds 0 whatever the light.
+void GroupConnections::add_lambertian(const Rgb& light) {
+  const float density = sum(connections_.pdf_a, lanes_);
+  if (!(density > 0)) return;
+  const Rgb shared = light / density;
+  const auto add = [&](Lanes& to, const Lanes& reflectance, float amount) {
+    for (int k = 0; k < lanes_; ++k) {
+      const float at_x = with_white(reflectance[k], connections_.schlick[k]);
+      to[k] += connections_.value[k] > 0 ? connections_.value[k] * at_x * amount : 0.0f;
+    }
+  };
+  add(gathered_.x, first_.reflectance.x, shared.x);
+  add(gathered_.y, first_.reflectance.y, shared.y);
+  add(gathered_.z, first_.reflectance.z, shared.z);
+}
+
+void GroupConnections::add_glossy(const Term& term, const Vertex& y) {
+  const LobeShape shape = lobe_shape(*y.material);
+  const Vec3 ns = y.shading.z;
+  alignas(64) Lanes densities{}, value, schlick;
+  for (int k = 0; k < lanes_; ++k) {
+    const Lobe l = lobe(shape, ns, connections_.wo.at(k), term.wi);
+    const bool seen = connections_.pdf_a[k] > 0;
+    densities[k] = seen ? connections_.pdf_a[k] * (term.light_pdf_w + term.bsdf * l.pdf_w) : 0.0f;
+    value[k] = seen ? connections_.value[k] * l.value : 0.0f;
+    schlick[k] = seen ? l.schlick : 0.0f;
+  }
+  const float density = sum(densities, lanes_);
+  if (!(density > 0)) return;
+  const Rgb shared = term.light / density;
+  const auto add = [&](Lanes& to, const Lanes& reflectance, float reflectance_y, float amount) {
+    for (int k = 0; k < lanes_; ++k) {
+      const float at_x = with_white(reflectance[k], connections_.schlick[k]);
+      const float at_y = with_white(reflectance_y, schlick[k]);
+      to[k] += value[k] > 0 ? value[k] * at_x * at_y * amount : 0.0f;
+    }
+  };
+  add(gathered_.x, first_.reflectance.x, shape.reflectance.x, shared.x);
+  add(gathered_.y, first_.reflectance.y, shape.reflectance.y, shared.y);
+  add(gathered_.z, first_.reflectance.z, shape.reflectance.z, shared.z);
+}
+
+}  // namespace raytracing

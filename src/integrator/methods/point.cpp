@@ -1,0 +1,36 @@
+// point: one random point of the light, uniform in its area.
+//
+// The classic estimator of direct light (Cook, Porter & Carpenter 1984): Le f cos V / p with the
+// density p = r^2 / (A cos_light) per steradian. It needs nothing but one shadow ray.
+//
+// Fails near the light, within about a tenth of its length, and at its corners: nearly all the
+// light then comes from points that are hardly ever chosen.
+
+#include "methods.h"
+
+namespace raytracing::methods {
+namespace {
+
+float pdf_w(const AreaLight& light, const Vertex& from, const Vec3& q) {
+  return area_pdf_w(light, from.position, q);
+}
+
+void estimate(const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
+  const Vec3 q = sample_area(query.light, query.u);
+  estimate.add_point(q, pdf_w(query.light, query.vertex, q));
+}
+
+}  // namespace
+
+DirectMethod point() {
+  return {.name = "point",
+          .summary = "one point of the light, uniform in area",
+          .cost = "1 shadow ray",
+          .unbiased = true,
+          .colour = "#e69f00",
+          .mark = 7,
+          .estimate = estimate,
+          .pdf_w = pdf_w};
+}
+
+}  // namespace raytracing::methods

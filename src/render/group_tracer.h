@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "raytracing/integrator/path_tracer.h"
+#include "raytracing/render/pixel_groups.h"
+#include "raytracing/render/render.h"
+
+namespace raytracing {
+
+/// Edge of the groups of pixels that are traced together: 1 where paths are not shared.
+int group_edge(const RenderOptions& options);
+
+/// The groups of sample number `sample`.
+PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample);
+
+/// Traces one sample of all pixels of one group after the other; one per thread. A picture and a
+/// replay of one of its samples both come from here.
+class GroupTracer {
+ public:
+  GroupTracer(const Scene& scene, const Camera& camera, const RenderOptions& options);
+
+  /// Traces sample number `sample` of the group at `place`; `groups` are those of the sample.
+  /// log() becomes that of the pixel `logged` if it belongs to the group. Fastest when samples of
+  /// one group follow each other.
+  void trace(const PixelGroups& groups, const PixelGroups::Place& place, std::uint64_t sample,
+             const PixelGroups::Pixel& logged = {-1, -1});
+
+  /// The group's pixels. pixels()[k] has the radiance radiance(k).
+  std::span<const PixelGroups::Pixel> pixels() const { return pixels_; }
+  const Rgb& radiance(std::size_t k) const { return samples_[k].radiance; }
+  const PathLog& log() const { return log_; }
+  const RayQueries& rays() const { return rays_; }
+
+ private:
+  const Camera& camera_;
+  const RenderOptions& options_;
+  PixelSampler sampler_;
+  RayQueries rays_;
+  std::unique_ptr<PathTracer> tracer_;
+  std::vector<PixelGroups::Pixel> pixels_;
+  std::vector<PathSample> samples_;
+  PathLog log_;
+};
+
+}  // namespace raytracing
