@@ -57,9 +57,10 @@ ChartArguments parse_chart_arguments(const Arguments& arguments) {
       "paths, as with render --reuse 1.",
       "Raytracing chart");
   add_scene_option(options, a.scene);
-  options.text("--out", s.folder, "DIR",
-               "Folder for tables, charts and report.html. The images of all runs are kept in its "
-               "folder runs, with at most 12 bytes per pixel.");
+  options.text(
+      "--out", s.folder, "DIR",
+      "Folder for tables, charts and report.html. Its subfolder runs keeps the image of every "
+      "run, with at most 12 bytes per pixel.");
   options.group("Measurement");
   add_measurement_options(options, a.request);
   options.group("Image");
@@ -69,8 +70,9 @@ ChartArguments parse_chart_arguments(const Arguments& arguments) {
   add_path_options(options, a);
   options.group("Execution");
   add_run_options(options, a);
-  options.footer("\nA size of 256 x 256 pixels suffices for most charts.\nErrors are relMSE = " +
-                 relmse_formula() + " over pixels and channels.\n");
+  options.footer(
+      "\nA size of 256 x 256 pixels suffices for most charts.\nErrors are given as relMSE = " +
+      relmse_formula() + " over pixels and channels.\n");
   options.parse(arguments.values);
   std::sort(s.spp.begin(), s.spp.end());
   resolve_scene(a.scene);

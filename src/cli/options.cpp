@@ -19,10 +19,11 @@ constexpr const char* kExitCodes =
     "Exit codes: 0 success, 1 failed check or unexpected error, 2 invalid command line,\n"
     "3 invalid input, 4 output not written, 128 + N stopped by signal N.\n";
 
-// CLI11 separates groups by two blank lines.
-std::string without_double_blank_lines(std::string text) {
+// Groups, and the end of the help, are followed by up to two blank lines, which depends on the
+// version of CLI11.
+std::string with_single_blank_lines(std::string text) {
   for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;) text.erase(at, 1);
-  return text;
+  return text.erase(text.find_last_not_of('\n') + 1) + "\n\n";
 }
 
 // The messages of CLI11 use terms of its own, so only the name of the option is taken from them.
@@ -82,7 +83,7 @@ void OptionList::parse(const std::vector<std::string>& arguments) {
   } catch (const CLI::ArgumentMismatch& error) {
     throw_mismatch(error.what());
   } catch (const CLI::CallForHelp&) {
-    throw TextRequest{without_double_blank_lines(app_->help()) + kExitCodes + footer_};
+    throw TextRequest{with_single_blank_lines(app_->help()) + kExitCodes + footer_};
   } catch (const CLI::ParseError& error) {
     throw_usage(error.what());
   }

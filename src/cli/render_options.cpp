@@ -77,7 +77,7 @@ void add_sampling_options(OptionList& options, RenderArguments& a) {
                  "Samples per pixel. Default: taken from the scene file.");
   options.number(
       "--replicates", a.replicates, 1, kMaxReplicates,
-      "Split the samples of each pixel into N replicates, equally large groups with "
+      "Split the samples of each pixel into N replicates, groups of equal size with "
       "independent scramblings; N must divide the samples per pixel. With 2 or more, "
       "--variance is estimated from the replicate means, which is right for sobol too; 8 "
       "or 16 are good choices. Confidence intervals take Student's t with N-1 degrees "
