@@ -106,7 +106,7 @@ std::optional<std::string> TomlTable::string(std::string_view key) const {
 
 std::optional<std::string> TomlTable::one_of(std::string_view key,
                                              const std::vector<std::string>& names) const {
-  const std::optional<std::string> value = string(key);
+  std::optional<std::string> value = string(key);
   if (!value || std::find(names.begin(), names.end(), *value) != names.end()) return value;
   if (names.empty()) throw error(key, fmt::format("unknown name '{}'", *value));
   throw error(key, fmt::format("'{}' is not one of: {}; the nearest is '{}'", *value,
