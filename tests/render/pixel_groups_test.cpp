@@ -22,7 +22,7 @@ TEST(PixelGroups, HoldEveryPixelOnce) {
         for (int row = 0; row * tile < height + tile; ++row)
           for (int column = 0; column * tile < width + tile; ++column)
             for (int index = 0; index < groups.groups_per_tile(); ++index) {
-              groups.pixels(column, row, index, group);
+              groups.pixels({column, row, index}, group);
               EXPECT_LE(group.size(), static_cast<std::size_t>(edge) * edge);
               for (const Pixel& pixel : group) {
                 ++count[{pixel.x, pixel.y}];
@@ -50,7 +50,7 @@ TEST(PixelGroups, HaveNoFixedPlace) {
     same_seed += PixelGroups(64, 64, 4, 2, sample, 0).shift() == shift;
     same_replicate += PixelGroups(64, 64, 4, 1, sample, 1).shift() == shift;
     const PixelGroups::Place place = groups.place_of({30, 30});
-    groups.pixels(place.column, place.row, place.index, group);
+    groups.pixels(place, group);
     for (const Pixel& pixel : group) companions.insert({pixel.x, pixel.y});
   }
   EXPECT_EQ(shifts.size(), 64u);

@@ -40,7 +40,6 @@ TEST(Replicates, MeanAndVarianceAreThoseOfTheirMeans) {
     RenderOptions options = options_of(60, 5);  // replicates of 12 cross the passes of 16
     options.sampler = sampler;
     const RenderResult result = render_all(scene, options);
-    const Camera camera(scene.camera(), options.width, options.height);
     double spread = 0;
     for_each_pixel(result.film, [&](int x, int y, const Film::Pixel& pixel) {
       DVec3 mean(0.0), squares(0.0);
@@ -81,7 +80,6 @@ TEST(Replicates, PictureDependsNeitherOnThreadsNorOnTiles) {
 // One replicate, and the first one of many, is what there was without replicates.
 TEST(Replicates, TheFirstIsTheShorterPicture) {
   const Scene scene = cornell();
-  const Camera camera(scene.camera(), 13, 9);
   for (const SamplerKind sampler : kSamplers) {
     RenderOptions one = options_of(8, 1), four = options_of(32, 4);
     one.sampler = four.sampler = sampler;

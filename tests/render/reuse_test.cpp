@@ -64,12 +64,11 @@ TEST(Reuse, TraceSampleIsWhatRenderAdds) {
   for (const int reuse : {2, 16}) {
     const RenderOptions options = options_of(reuse);
     const RenderResult result = render_all(scene, options);
-    const Camera camera(scene.camera(), options.width, options.height);
     for (int y = 0; y < options.height; ++y)
       for (int x = 0; x < options.width; ++x) {
         Film::Pixel pixel;
         for (std::uint64_t i = 0; i < options.spp; ++i) {
-          const Rgb radiance = trace_sample(scene, options, {x, y, i}).radiance;
+          const auto& [radiance, log, rays] = trace_sample(scene, options, {x, y, i});
           pixel.add(radiance);
           Rgb logged(0.0f);
           for (const PathLog::Step& step : log.steps) logged += step.emitted + step.direct;
@@ -121,7 +120,6 @@ TEST(Reuse, ARenderStoppedEarlyHoldsWholeSamples) {
         if (done > total / 2) stop = true;
       });
   EXPECT_FALSE(part.complete);
-  const Camera camera(scene.camera(), 40, 40);
   std::uint64_t paths = 0;
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 40; ++x) {
