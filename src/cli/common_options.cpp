@@ -39,7 +39,7 @@ void resolve_scene(std::string& scene, const std::string& hint) {
   const std::vector<std::string> candidates = scene_candidates(scene);
   if (const auto found = find_scene(scene))
     scene = *found;
-  else if (candidates.size() > 1)  // else opening the file tells the reason
+  else if (candidates.size() > 1)  // else opening the file reports the reason
     throw InputError(fmt::format("{}: no such scene file; looked for {}{}", scene,
                                  fmt::join(candidates, ", "), hint));
 }
