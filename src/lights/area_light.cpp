@@ -80,10 +80,11 @@ AreaLight::AreaLight(std::span<const Vec3> polygon, const Rgb& radiance)
   const Vec3 along = longest_edge(corners);
   chords = {ChordSet(corners, normal, along), ChordSet(corners, normal, cross(normal, along))};
 
-  is_parallelogram =
-      corners.size() == 4 && same_point(corners[0] + corners[2], corners[1] + corners[3], error);
-  const Vec3 x = corners[1] - corners[0], y = corners.back() - corners[0];
-  if (is_parallelogram && std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
+  if (corners.size() != 4 || !same_point(corners[0] + corners[2], corners[1] + corners[3], error))
+    return;
+  const Vec3 x = corners[1] - corners[0], y = corners[3] - corners[0];
+  parallelogram = Parallelogram{corners[0], x, y};
+  if (std::abs(dot(normalize(x), normalize(y))) < 1e-6f)
     rectangle = Rectangle{corners[0], normalize(x), normalize(y), length(x), length(y)};
 }
 
@@ -91,10 +92,7 @@ bool AreaLight::faces(const Vec3& from) const { return dot(from - corners[0], no
 
 float AreaLight::power() const { return kPi * area * (Le.x + Le.y + Le.z) / 3; }
 
-Vec3 sample_area(const AreaLight& light, const Vec2& u) {
-  const Vec3& corner = light.corners[0];
-  if (light.is_parallelogram)
-    return corner + u.x * (light.corners[1] - corner) + u.y * (light.corners[3] - corner);
+Vec3 sample_fan(const AreaLight& light, const Vec2& u) {
   Vec2 v = u;
   std::size_t i = 0;
   if (fan_size(light) > 1)

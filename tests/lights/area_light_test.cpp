@@ -74,8 +74,8 @@ TEST(AreaLight, KnowsItsShape) {
     EXPECT_NEAR(dot(light.normal, normalize(Vec3(1, -2, 3))), 1, 1e-6) << name;
     EXPECT_EQ(light.rectangle.has_value(), std::string(name) == "rectangle");
   }
-  EXPECT_TRUE(shapes()[1].light.is_parallelogram && shapes()[2].light.is_parallelogram);
-  EXPECT_FALSE(shapes()[3].light.is_parallelogram);
+  EXPECT_TRUE(shapes()[1].light.parallelogram && shapes()[2].light.parallelogram);
+  EXPECT_FALSE(shapes()[3].light.parallelogram);
 }
 
 TEST(AreaLight, SampleAreaIsUniform) {

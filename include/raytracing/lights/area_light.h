@@ -12,6 +12,11 @@
 
 namespace raytracing {
 
+/// The points corner + s x + t y, with s and t in [0,1].
+struct Parallelogram {
+  Vec3 corner, x, y;
+};
+
 /// A planar convex polygon with 3 or more corners, counter-clockwise as seen from the side of its
 /// normal. It emits the radiance Le on that side, constant over the polygon and all directions.
 struct AreaLight {
@@ -22,10 +27,10 @@ struct AreaLight {
   Rgb Le;
   Vec3 normal;  ///< unit
   float area;
-  float error;                         ///< position_error of its plane
-  bool is_parallelogram;               ///< whether it is one, up to rounding
-  std::optional<Rectangle> rectangle;  ///< set when it is a rectangle
-  std::array<ChordSet, 2> chords;      ///< parallel to the longest edge, and perpendicular to it
+  float error;                                 ///< position_error of its plane
+  std::optional<Parallelogram> parallelogram;  ///< set when it is one, up to rounding
+  std::optional<Rectangle> rectangle;          ///< set when it is a rectangle
+  std::array<ChordSet, 2> chords;  ///< parallel to the longest edge, and perpendicular to it
 
   /// Returns true when `from` lies on the emitting side of the plane.
   bool faces(const Vec3& from) const;
@@ -34,8 +39,15 @@ struct AreaLight {
   float power() const;
 };
 
+/// Samples a point uniformly in area, of a light that is no parallelogram.
+Vec3 sample_fan(const AreaLight& light, const Vec2& u);
+
 /// Samples a point uniformly in area. Its density is 1 / light.area per unit area.
-Vec3 sample_area(const AreaLight& light, const Vec2& u);
+inline Vec3 sample_area(const AreaLight& light, const Vec2& u) {
+  if (!light.parallelogram) return sample_fan(light, u);
+  const Parallelogram& p = *light.parallelogram;
+  return p.corner + u.x * p.x + u.y * p.y;
+}
 
 /// Returns the density, per steradian seen from `from`, of the point `q` when it is sampled
 /// uniformly in area. The density is infinite or 0 when `from` lies in the plane of the light, and
