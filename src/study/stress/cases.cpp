@@ -213,8 +213,9 @@ StressScene many_lights(float count) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const float pitch = 2 / static_cast<float>(columns);
   for (int i = 0; i < n; ++i) {
-    const float x = (static_cast<float>(i % columns) + 0.5f) * pitch - 1;
-    const float y = (static_cast<float>(i / columns) + 0.5f) * pitch - 1;
+    const int column = i % columns, row = i / columns;
+    const float x = (static_cast<float>(column) + 0.5f) * pitch - 1;
+    const float y = (static_cast<float>(row) + 0.5f) * pitch - 1;
     builder.add_light(
         parallelogram({x, y, 1.0f}, {pitch / 4, 0.0f, 0.0f}, {0.0f, pitch / 4, 0.0f}));
   }
