@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -97,22 +98,31 @@ std::string drawing(const ImageData& image, int left, int top, int width, int he
   return text;
 }
 
-// The last label of the scale 1e-4 .. 1e2 of the narrowest picture, and the bar above it.
+// The last label of the scale 1e-5 .. 1e1 of the narrowest picture, and the bar above it.
 TEST(ErrorPicture, HasALegend) {
-  const ImageData picture = error_picture(row({1}), row({1}), {}, {-4, 2});
+  const ImageData picture = error_picture(row({1}), row({1}));
   EXPECT_EQ(picture.width, 160);
   const int bar = 1 + 3 + 5;
   EXPECT_EQ(codes_at(picture, 16, bar), codes_of(magma(0)));
   EXPECT_EQ(codes_at(picture, 143, bar), codes_of(magma(1)));
   const int label = 1 + 3 + 10 + 6;
   EXPECT_EQ(drawing(picture, 134, label, 18, 7),
-            "..#..........###..\n"
-            ".##.........#...#.\n"
-            "..#....###......#.\n"
-            "..#...#...#...##..\n"
-            "..#...#####..#....\n"
-            "..#...#.....#.....\n"
-            ".###...###..#####.\n");
+            "..#...........#...\n"
+            ".##..........##...\n"
+            "..#....###....#...\n"
+            "..#...#...#...#...\n"
+            "..#...#####...#...\n"
+            "..#...#.......#...\n"
+            ".###...###...###..\n");
+}
+
+TEST(ErrorPicture, HasTheErrorMapAbove) {
+  const ImageData test = row(std::vector<float>(200, 1));
+  const ImageData reference = row(std::vector<float>(200, 0.5f));
+  const ImageData map = error_map(test, reference), picture = error_picture(test, reference);
+  EXPECT_EQ(map.width, 200);
+  EXPECT_EQ(map.height, 1);
+  EXPECT_TRUE(std::equal(map.values.begin(), map.values.end(), picture.values.begin()));
 }
 
 TEST(ErrorPicture, IsAsWideAsThePicture) {

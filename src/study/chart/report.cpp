@@ -23,7 +23,7 @@ double common_time(const ChartSummary& summary) {
   return time;
 }
 
-// What the method reaches within that time; where even its first point takes longer, that one.
+// The method's point of the most samples within that time; its first point where all take longer.
 const ChartPoint& best_within(const MethodSummary& method, double seconds) {
   const ChartPoint* best = &method.points.front();
   for (const ChartPoint& p : method.points)
@@ -31,18 +31,7 @@ const ChartPoint& best_within(const MethodSummary& method, double seconds) {
   return *best;
 }
 
-// Its left upper part: an error picture has its legend below, and may be wider.
-ImageData cropped(const ImageData& image, int width, int height) {
-  ImageData result{width, height, image.channels, {}, {}};
-  const auto row = static_cast<std::ptrdiff_t>(image.channels.size());
-  for (int y = 0; y < height; ++y) {
-    const auto begin = image.values.begin() + row * image.width * y;
-    result.values.insert(result.values.end(), begin, begin + row * width);
-  }
-  return result;
-}
-
-// Without the header: the page says how all was made.
+// A PNG without a header, since the page lists the facts.
 std::string png(const ImageData& image) {
   return encode_image({image.width, image.height, image.channels, image.values, {}},
                       ImageFormat::png);
@@ -54,11 +43,10 @@ ReportPicture picture_of(const MethodSummary& method, double seconds, const RunL
   const std::string_view name = method.method->name;
   const ChartRun& run = *log.find(name, point.spp, 0);
   const ImageData image = read_image(log.picture_path(name, point.spp, 0));
-  const ImageData errors = error_picture(image, truth.reference.picture, truth.counted);
   return {method_label(*method.method),
           fmt::format("{} spp in {:.3g} s (median), of at most {:.3g} s; relMSE {:.3g}", point.spp,
                       point.seconds.median, seconds, run.relmse),
-          png(image), png(cropped(errors, image.width, image.height))};
+          png(image), png(error_map(image, truth.reference.picture, truth.counted))};
 }
 
 std::vector<ReportPicture> pictures(const ChartSummary& summary, const RunLog& log,
@@ -73,7 +61,7 @@ std::vector<ReportPicture> pictures(const ChartSummary& summary, const RunLog& l
   return result;
 }
 
-// At a time at which all methods were measured.
+// A sentence on the ranks of the methods at a time at which all were measured.
 std::string best_at(const ChartSummary& summary, double seconds) {
   std::vector<std::pair<double, std::string>> ranks;
   for (const MethodSummary& m : summary.methods)
@@ -101,12 +89,12 @@ std::vector<std::string> notes(const ChartSummary& summary) {
     if (m.bias() && m.bias()->detected)
       result.push_back(fmt::format("{}: {}.", m.method->name, to_text(*m.bias())));
   result.push_back(
-      "Methods whose bands overlap in the charts are not told apart by so few seeds. relMSE is "
+      "Methods whose bands overlap in the charts cannot be ranked by so few seeds. relMSE is "
       "the " +
       relmse_formula() +
       " over pixels and channels, with x the picture and r the reference. The error maps show it "
-      "per pixel, on a logarithmic scale from black (1e-5 and less) over red to light yellow (10 "
-      "and more).");
+      "per pixel, on a logarithmic scale: " +
+      error_colours() + ".");
   return result;
 }
 

@@ -109,7 +109,7 @@ RunLog::RunLog(std::string folder) : folder_(std::move(folder)) {
     if (!text.starts_with(run_csv_header() + "\n"))
       throw InputError(path + ": its first line is not that of a chart's runs");
     text.remove_prefix(run_csv_header().size() + 1);
-    // What follows the last line's end was cut off.
+    // Text after the last end of line belongs to a row that was cut off.
     for (std::size_t end; (end = text.find('\n')) != std::string_view::npos;
          text.remove_prefix(end + 1)) {
       const auto run = run_from_csv(text.substr(0, end));

@@ -13,7 +13,7 @@
 namespace raytracing {
 namespace {
 
-constexpr std::uint64_t kFirstChunk = 16;  // spp
+constexpr std::uint64_t kFirstChunk = 16;  // samples per pixel
 
 ImageData to_picture(int width, int height, const std::vector<DVec3>& values) {
   ImageData image;
@@ -33,7 +33,7 @@ std::vector<DVec3> means(const Film& film) {
   return values;
 }
 
-// Sums over all chunks of one half.
+// The sums of all chunks of one half of the reference.
 struct Half {
   std::vector<DVec3> sums;
   std::uint64_t spp = 0;
@@ -91,7 +91,7 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  // In milliseconds; a chunk that takes longer than planned does not make it more than all.
+  // Progress is in milliseconds, and not beyond the total when a chunk takes longer than planned.
   const auto tell = [&](std::uint64_t, std::uint64_t) {
     const auto total = static_cast<std::uint64_t>(1000 * seconds) + 1;
     if (progress) progress(std::min(static_cast<std::uint64_t>(1000 * elapsed()), total), total);

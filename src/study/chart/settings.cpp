@@ -11,7 +11,7 @@
 namespace raytracing {
 namespace {
 
-constexpr int kReuse = 1;  // paths that pixels share hide what the methods do
+constexpr int kReuse = 1;  // shared paths would hide differences between the methods
 
 }  // namespace
 

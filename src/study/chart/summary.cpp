@@ -76,7 +76,7 @@ void add_tables(ChartSummary& summary) {
   std::reverse(summary.errors.begin(), summary.errors.end());
 }
 
-// What follows writes summary.json.
+// The functions below make summary.json.
 
 using Json = nlohmann::ordered_json;
 
@@ -167,12 +167,15 @@ Json definitions() {
        "Seconds to an error are null, too, when the first point is "
        "already below it"},
       {"bias",
-       "squared = mean of (X-r)^2 - S^2/N - V, with X the mean and S^2 the variance over "
-       "N seeds, r the reference, V its squared error; rms = sqrt(max(0, squared)). "
-       "relative_squared has the weights of relmse. mean_ratio_minus_1 = sum X / sum r "
-       "- 1. detected: relative_squared above 2.576 or mean_ratio_minus_1 beyond 2.807 "
-       "standard errors; an unbiased method has a chance of at most 1 in 100 of that. The "
-       "method's bias is that at the most spp"}};
+       fmt::format(
+           "squared = mean of (X-r)^2 - S^2/N - V, with X the mean and S^2 the variance over N "
+           "seeds, r the reference, V its squared error; rms = sqrt(max(0, squared)). "
+           "relative_squared has the weights of relmse. mean_ratio_minus_1 = sum X / sum r - 1. "
+           "detected: relative_squared above {} or mean_ratio_minus_1 beyond {} standard errors; "
+           "an "
+           "unbiased method has a chance of at most 1 in 100 of that. The method's bias is that at "
+           "the most spp",
+           kOneSidedHalfPercent, kTwoSidedHalfPercent)}};
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace raytracing {
 namespace {
 
-constexpr double kOneSidedHalfPercent = 2.576;
-constexpr double kTwoSidedHalfPercent = 2.807;
 // Pictures hold 32-bit floats: a relative bias below this is indistinguishable from rounding.
 constexpr double kRounding = 1e-6;
 

@@ -13,6 +13,7 @@
 namespace raytracing {
 namespace {
 
+constexpr int kLowDecade = -5, kHighDecade = 1;  // the ends of the colour bar
 constexpr Rgb kNotFinite{0, 255, 255};
 constexpr Rgb kOutsideMask{96, 96, 96};
 constexpr Rgb kBackground{32, 32, 32};
@@ -119,25 +120,38 @@ struct Legend {
         height(bar + 6 * tick + 2 * kGlyphHeight * scale) {}
 };
 
-void draw_legend(Canvas& canvas, const Legend& legend, int top, int width,
-                 const ErrorScale& scale) {
+void draw_legend(Canvas& canvas, const Legend& legend, int top, int width) {
   const int bar_top = top + legend.tick, bar_width = width - 2 * legend.margin;
   for (int x = 0; x < bar_width; ++x)
     canvas.fill(legend.margin + x, bar_top, 1, legend.bar,
                 magma(static_cast<double>(x) / (bar_width - 1)));
   const int tick_top = bar_top + legend.bar, label_top = tick_top + 2 * legend.tick;
-  const int decades = scale.high - scale.low;
+  const int decades = kHighDecade - kLowDecade;
   const int label_room = Canvas::text_width("1e-10", legend.scale);
   const int step = std::max(1, (label_room * decades + bar_width - 1) / bar_width);
   for (int d = 0; d <= decades; d += step) {
     const int x = legend.margin + (bar_width - 1) * d / decades;
     canvas.fill(x, tick_top, legend.scale, legend.tick, kInk);
-    const std::string label = fmt::format("1e{}", scale.low + d);
+    const std::string label = fmt::format("1e{}", kLowDecade + d);
     canvas.text(label, x - Canvas::text_width(label, legend.scale) / 2, label_top, legend.scale);
   }
   const std::string formula = fmt::format("(x-r)^2/(r^2+{})", kRelMseEpsilon);
   canvas.text(formula, (width - Canvas::text_width(formula, legend.scale)) / 2,
               label_top + kGlyphHeight * legend.scale + 2 * legend.tick, legend.scale);
+}
+
+void draw_errors(Canvas& canvas, const ImageData& test, const ImageData& reference,
+                 const PixelMask& mask) {
+  const std::vector<float> errors = relative_squared_errors(test, reference);
+  check_mask_size(mask, errors.size());
+  std::size_t i = 0;
+  for (int y = 0; y < test.height; ++y)
+    for (int x = 0; x < test.width; ++x, ++i) {
+      const double decade = std::log10(double{errors[i]});
+      const Rgb colour = magma((decade - kLowDecade) / (kHighDecade - kLowDecade));
+      const bool inside = counts(mask, i);
+      canvas.set(x, y, !inside ? kOutsideMask : std::isfinite(errors[i]) ? colour : kNotFinite);
+    }
 }
 
 }  // namespace
@@ -155,22 +169,23 @@ Rgb magma(double t) {
   return kSteps[below] * (1 - rest) + kSteps[below + 1] * rest;
 }
 
-ImageData error_picture(const ImageData& test, const ImageData& reference, const PixelMask& mask,
-                        const ErrorScale& scale) {
-  const std::vector<float> errors = relative_squared_errors(test, reference);
-  check_mask_size(mask, errors.size());
+std::string error_colours() {
+  return fmt::format("black (1e{} and less) over red to light yellow (1e{} and more)", kLowDecade,
+                     kHighDecade);
+}
+
+ImageData error_map(const ImageData& test, const ImageData& reference, const PixelMask& mask) {
+  Canvas canvas(test.width, test.height);
+  draw_errors(canvas, test, reference, mask);
+  return canvas.image();
+}
+
+ImageData error_picture(const ImageData& test, const ImageData& reference, const PixelMask& mask) {
   const int width = std::max(test.width, kMinWidth);
   const Legend legend(width);
   Canvas canvas(width, test.height + legend.height);
-  std::size_t i = 0;
-  for (int y = 0; y < test.height; ++y)
-    for (int x = 0; x < test.width; ++x, ++i) {
-      const double decade = std::log10(double{errors[i]});
-      const Rgb colour = magma((decade - scale.low) / (scale.high - scale.low));
-      const bool inside = counts(mask, i);
-      canvas.set(x, y, !inside ? kOutsideMask : std::isfinite(errors[i]) ? colour : kNotFinite);
-    }
-  draw_legend(canvas, legend, test.height, width, scale);
+  draw_errors(canvas, test, reference, mask);
+  draw_legend(canvas, legend, test.height, width);
   return canvas.image();
 }
 

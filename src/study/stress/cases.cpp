@@ -182,7 +182,7 @@ std::vector<StressCase> surface_cases() {
        "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
        settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},
       {"shared-paths", "surface",
-       "roughness of a ceiling that lights the receiver by shared paths of 16 x 16 pixels, N = 512",
+       "roughness of a ceiling that lights the receiver by shared paths of 16 x 16 pixels",
        "quadrature of the ceiling's exact radiance", shared_path_settings()},
   };
 }

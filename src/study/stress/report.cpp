@@ -97,7 +97,8 @@ ReportTable verdict_table(const std::vector<StressTable>& tables) {
 ReportTable case_table(const StressTable& table) {
   ReportTable result{fmt::format("{}: {}. Truth: {}.", table.stress_case->name,
                                  table.stress_case->parameter, table.stress_case->truth),
-                     {"setting", "method", "truth", "bias", "± standard error", "z", "RMSE, N = 64",
+                     {"setting", "method", "truth", "bias", "± standard error", "z",
+                      fmt::format("RMSE, N = {}", table.cells[0]->samples),
                       "largest sample / truth", "not finite", "ns / sample", "verdict"},
                      {}};
   for (const StressCell* c : table.cells)
@@ -136,15 +137,18 @@ std::string stress_plot_data(const StressResult& result) {
 std::string stress_plot_script(const StressResult& result) {
   const std::vector<StressTable> tables = stress_tables(result);
   std::vector<std::string> titles;
-  std::vector<std::size_t> columns, rows, first, last;
+  std::vector<std::size_t> columns, rows, samples, first, last;
   for (const StressTable& table : tables) {
     titles.push_back(fmt::format("{}: {}", table.stress_case->name, table.stress_case->parameter));
     columns.push_back(table.settings());
     rows.push_back(table.methods.size());
+    samples.push_back(static_cast<std::size_t>(table.cells[0]->samples));
   }
   titles.emplace_back("each case at its worst setting; in how many settings of how many");
   columns.push_back(tables[0].methods.size());
   rows.push_back(tables.size());
+  const bool all_equal = std::equal(samples.begin() + 1, samples.end(), samples.begin());
+  samples.push_back(all_equal ? samples[0] : 0);
   first.push_back(titles.size());
   last.push_back(titles.size());
   for (std::size_t t = 0; t < tables.size(); ++t) {
@@ -159,9 +163,11 @@ std::string stress_plot_script(const StressResult& result) {
   std::string text =
       "# Draws the heat maps. Run gnuplot 5.2 or later on it in this folder:\n"
       "#   gnuplot stress.gp\n";
-  text += fmt::format("samples = {}  # of a pixel\n", kStressSpp);
-  text += "# The panels, in the order of the blocks of stress.dat; the last one is the overview.\n";
+  text +=
+      "# The panels, in the order of the blocks of stress.dat; the last one is the overview. "
+      "samples: N of\n# the RMSE; 0: it differs.\n";
   text += gnuplot_array("title", titles) + numbers("columns", columns) + numbers("rows", rows);
+  text += numbers("samples", samples);
   text += "# The pictures, and the first and last panel of each.\n";
   text += gnuplot_array("picture", stress_pictures(result)) + numbers("first", first);
   text += numbers("last", last) + "\n";

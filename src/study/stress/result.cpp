@@ -50,7 +50,7 @@ double StressCell::z() const {
 
 bool StressCell::resolved() const {
   // In half of the pixels a method may find the visible part of the light by chance alone.
-  const double hits = 0.5 * truth.visible_share * static_cast<double>(kStressSpp * pixels);
+  const double hits = 0.5 * truth.visible_share * static_cast<double>(pixels) * samples;
   if (dark_pixels > kDarkPixels && hits < kMinHits) return false;
   return largest_share < kLargestShare;
 }
@@ -68,16 +68,14 @@ std::string stress_rule(double critical_z) {
   return fmt::format(
       "broken: a sample is not finite or below 0. biased: |z| > {:.2f} in two independent "
       "measurements, where z is the bias beyond rounding over its standard error, corrected for "
-      "skewness. Rounding: {:g} of the truth, and what the truth changes when shadow rays begin "
-      "off the surface, as they do, and occluders move by 4 float roundings. No bias is reported "
-      "where "
-      "one sample holds {:g} % of the sum or more, or where pixels are dark and the visible part "
-      "of the lights is too small for a uniform point to hit it {:g} times: the mean then depends "
-      "on light that no sample has met. Unbiased methods are called biased in at most one of {:g} "
-      "runs "
-      "(Bonferroni). noisy: relative RMSE of {} samples above {:g}. holds: none of these.",
-      critical_z, kRounding, 100 * kLargestShare, 2 * kMinHits, 1 / kFamilyLevel, kStressSpp,
-      kNoisy);
+      "skewness. Rounding: {:g} of the truth, and the change of the truth when shadow rays begin "
+      "off the surface, as they do, and occluders move by {} float roundings. No bias is reported "
+      "where one sample holds {:g} % of the sum or more, or where pixels are dark and the visible "
+      "part of the lights is too small for a uniform point to hit it {:g} times: the mean then "
+      "depends on light that no sample has met. Unbiased methods are called biased in at most one "
+      "of {:g} runs (Bonferroni). noisy: relative RMSE above {:g}. holds: none of these.",
+      critical_z, kRounding, kOccluderRoundings, 100 * kLargestShare, 2 * kMinHits,
+      1 / kFamilyLevel, kNoisy);
 }
 
 bool looks_biased(const StressCell& cell, double critical_z) {

@@ -103,8 +103,8 @@ void measure(const PreparedSetting& prepared, std::uint64_t first, std::uint64_t
              StressCell& cell) {
   const PathOptions options{cell.method, prepared.stress.max_depth, prepared.line_rays};
   const bool shared = prepared.stress.shares_paths;
-  const double samples = shared ? kGroupSpp * kGroupPixels : kStressSpp;
-  RayQueries visibility(prepared.scene);
+  cell.samples = shared ? kGroupSpp * kGroupPixels : kStressSpp;
+  RayQueries rays(prepared.scene);
   std::vector<double> pixels;
   cell.not_finite = 0;
   cell.largest_sample = 0;
@@ -113,18 +113,18 @@ void measure(const PreparedSetting& prepared, std::uint64_t first, std::uint64_t
   for (std::uint64_t seed = first; seed < first + count && !prepared.stop; ++seed)
     for (std::uint32_t x = 0; x < kPixelsPerSeed; ++x) {
       const SampleSum pixel = shared ? sample_group(prepared, options, seed * kPixelsPerSeed + x)
-                                     : sample_pixel(prepared, options, visibility, seed, x);
+                                     : sample_pixel(prepared, options, rays, seed, x);
       cell.not_finite += pixel.not_finite;
       cell.largest_sample = std::max(cell.largest_sample, pixel.largest);
       seconds += pixel.other_threads_seconds;
       total += pixel.sum;
       dark += pixel.sum == 0;
-      pixels.push_back(pixel.sum / samples);
+      pixels.push_back(pixel.sum / cell.samples);
     }
   const auto count_of_pixels = static_cast<double>(pixels.size());
   cell.pixels = pixels.size();
   seconds += thread_cpu_seconds() - start;
-  cell.nanoseconds = 1e9 * seconds / (samples * count_of_pixels);
+  cell.nanoseconds = 1e9 * seconds / (cell.samples * count_of_pixels);
   cell.largest_share = total > 0 ? cell.largest_sample / total : 0;
   cell.dark_pixels = dark / count_of_pixels;
   set_moments(pixels, cell);

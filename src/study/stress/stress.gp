@@ -9,7 +9,6 @@ set palette defined (low '#f2f7fc', -2 '#b9d4ec', -1 '#fee08b', 0 '#f4814f', hig
 set cbrange [low:high]
 set format cb '10^{%g}'
 set cbtics 1
-set cblabel sprintf('RMSE / truth, N = %d', samples)
 set lmargin 20
 set rmargin 14
 set tmargin 2.5
@@ -37,6 +36,7 @@ do for [p = 1:|picture|] {
     set multiplot layout panels,1
     do for [i = int(first[p]):int(last[p])] {
       set title title[i] noenhanced
+      set cblabel samples[i] > 0 ? sprintf('RMSE / truth, N = %d', samples[i]) : 'RMSE / truth'
       set xrange [-0.5 : columns[i] - 0.5]
       set yrange [rows[i] - 0.5 : -0.5]
       plot 'stress.dat' index i-1 \

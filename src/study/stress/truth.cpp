@@ -160,9 +160,6 @@ Seen seen_from(const StressScene& scene, const Vertex& vertex, const LVec3& eye)
   return seen;
 }
 
-// Ray casters round the corners relative to the ray's origin and their products.
-constexpr long double kRoundings = 4;
-
 // Half the spacing of floats of the size of the largest coordinate, or a little less.
 long double float_rounding(const std::vector<std::vector<Vec3>>& polygons) {
   float largest = 0;
@@ -265,7 +262,7 @@ StressTruth exact_radiance(const StressScene& scene, const Vertex& vertex) {
     rounding = std::max(rounding, std::abs(seen - truth.radiance));
   };
   look_from(origin);
-  const long double shift = kRoundings * float_rounding(scene.occluders);
+  const long double shift = kOccluderRoundings * float_rounding(scene.occluders);
   for (int axis = 0; axis < 3 && shift > 0; ++axis) {
     LVec3 eye = origin;
     eye[axis] += shift;

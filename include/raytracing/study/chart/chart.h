@@ -9,7 +9,7 @@
 
 namespace raytracing {
 
-/// What a chart is made of, and what it is measured against.
+/// The settings of a chart, and its reference and mask.
 struct ChartRequest {
   ChartSettings settings;
   std::string reference = "auto";  ///< path of an EXR picture; "auto": rendered and kept

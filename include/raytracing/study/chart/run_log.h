@@ -13,34 +13,34 @@
 namespace raytracing {
 
 /// One run of a chart: its facts and its errors. Errors are against the reference, over the pixels
-/// that count; "corrected": less the noise floor of the reference, so that a single run may well be
-/// below 0; NaN (an empty field) when the floor is not known.
+/// that count. Corrected errors are less the noise floor of the reference and may be negative; NaN
+/// (an empty field) when the floor is not known.
 struct ChartRun {
   RunFacts facts;
   std::uint64_t repetition = 0;
   double mse = 0, mse_corrected = 0;
   double relmse = 0, relmse_corrected = 0;
   double smape = 0;
-  double largest = 0;  ///< of all channels of all pixels
+  double largest = 0;  ///< value of all channels of all pixels
 };
 
 /// The first line of runs.csv, without its end.
 std::string run_csv_header();
 std::string to_csv(const ChartRun& run);
-/// Empty for a line that is none, for example one that was cut off.
+/// Reads a row; empty for a faulty line, for example one that was cut off.
 std::optional<ChartRun> run_from_csv(std::string_view line);
 
 /// The table <folder>/runs.csv and the pictures beside it in <folder>/runs/, one for each row.
 /// A run is finished when it has both.
 class RunLog {
  public:
-  /// Reads what is there. Rows that were cut off or have no picture are taken out; in the second
-  /// case the table as it was is kept as runs.csv.old. Throws InputError for a file that is not
-  /// such a table, OutputError.
+  /// Reads the table, if there is one, and removes rows that were cut off or have no picture; in
+  /// the second case the old table is kept as runs.csv.old. Throws InputError for a file that is no
+  /// such table, and OutputError.
   explicit RunLog(std::string folder);
 
   const std::vector<ChartRun>& runs() const { return runs_; }
-  /// Rows that were taken out because their picture is missing.
+  /// The number of rows that were removed because their picture is missing.
   std::size_t dropped() const { return dropped_; }
   const ChartRun* find(std::string_view method, std::uint64_t spp, std::uint64_t repetition) const;
   std::string picture_path(std::string_view method, std::uint64_t spp,

@@ -10,15 +10,15 @@
 
 namespace raytracing {
 
-/// The method to render the reference with. Direct light only: `line`, whose error falls fastest.
-/// Otherwise `point`: the noise is that of the bounces, of which it renders the most per second (in
-/// the Cornell box its variance times time is two thirds of that of `line`), and it shares no code
-/// with the line methods under test.
+/// The method that renders the reference. For direct light only it is `line`, whose error falls
+/// fastest. Otherwise it is `point`: the noise then comes from the bounces, of which it renders the
+/// most per second (in the Cornell box its variance times time is two thirds of that of `line`),
+/// and it shares no code with the line methods under test.
 const DirectMethod& reference_method(const std::optional<std::uint32_t>& max_depth);
 
-/// Renders two halves by turns, with other seeds than all runs of charts, in chunks of 16, 32, 64
-/// ... spp, until `seconds` are used; at least one chunk each. The picture has the layers that
-/// join_halves() makes. Empty when stopped.
+/// Renders two halves in turns, with seeds that no run of a chart uses, in chunks of 16, 32, 64 ...
+/// samples per pixel until `seconds` have passed, at least one chunk each. The picture has the
+/// layers of join_halves(). Empty when stopped.
 std::optional<ImageData> render_reference(const Scene& scene, const ChartSettings& settings,
                                           double seconds, const std::atomic<bool>& stop,
                                           const ProgressCallback& progress);

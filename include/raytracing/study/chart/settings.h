@@ -11,7 +11,7 @@
 
 namespace raytracing {
 
-/// What a chart is made of.
+/// The settings of a chart.
 struct ChartSettings {
   std::string folder;
   std::string scene_path;
@@ -24,7 +24,7 @@ struct ChartSettings {
   std::vector<const DirectMethod*> methods;
   std::vector<std::uint64_t> spp;  ///< rising
   std::uint64_t seeds = 8;         ///< runs of each method at each spp
-  RunFacts made_by;                ///< about program, machine and command line
+  RunFacts made_by;                ///< facts about program, machine and command line
 };
 
 /// One rendering of the chart.
@@ -32,30 +32,31 @@ struct PlannedRun {
   const DirectMethod* method;
   std::uint64_t spp;
   std::uint64_t repetition;  ///< 0 .. seeds - 1
-  std::uint64_t seed;        ///< of the random numbers: run_seed(spp, repetition)
+  std::uint64_t seed;        ///< run_seed(spp, repetition)
 };
 
-/// The seed of a run: another for each spp and repetition, so that no two points of a curve share
-/// samples, but the same for all methods. Below 2^63, where the seeds of references begin.
+/// The seed of a run. It differs for each spp and repetition, so that no two points of a curve
+/// share samples, and is the same for all methods. It is below 2^63, where the seeds of references
+/// begin.
 std::uint64_t run_seed(std::uint64_t spp, std::uint64_t repetition);
 inline constexpr std::uint64_t kFirstReferenceSeed = std::uint64_t{1} << 63;
 
-/// All runs, in the order in which to make them: repetition after repetition, each from few to many
-/// spp, the methods by turns, each time another one first, so that a machine that becomes slower or
-/// faster favours none.
+/// All runs in the order of rendering: repetition by repetition, each from few to many samples per
+/// pixel, with the methods in turns and another one first each time, so that a machine that becomes
+/// slower or faster favours none.
 std::vector<PlannedRun> plan_runs(const ChartSettings& settings);
 
 RenderOptions run_options(const ChartSettings& settings, const PlannedRun& run);
 
-/// "cornell, 256x256, direct light only"
+/// The title of a chart: "cornell, 256x256, direct light only".
 std::string chart_title(const ChartSettings& settings);
 
 /// The facts of a run that are known before it is rendered.
 RunFacts planned_facts(const ChartSettings& settings, const PlannedRun& run);
-/// Those that all runs of the chart share.
+/// The facts that all runs of the chart share.
 RunFacts common_facts(const ChartSettings& settings);
 
-/// What all runs of a folder must have in common. `reference` and `mask` tell which they are.
+/// The settings that all runs of a folder must share. `reference` and `mask` identify those.
 nlohmann::ordered_json settings_json(const ChartSettings& settings, const std::string& reference,
                                      const std::string& mask);
 

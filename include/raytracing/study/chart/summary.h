@@ -12,23 +12,23 @@
 
 namespace raytracing {
 
-/// Median and extremes over the seeds.
+/// The median and the extremes over the seeds.
 struct Spread {
   double median, low, high;
 };
 
-/// One method at one number of samples, over the seeds.
+/// The results of one method at one sample count, over the seeds.
 struct ChartPoint {
   std::uint64_t spp;
   std::uint64_t seeds;
   Spread seconds, cpu_seconds, mse, relmse, smape;
-  /// Less the noise floor; may be below 0. NaN when the floor is not known.
+  /// The errors less the noise floor, perhaps negative; NaN when the floor is not known.
   Spread mse_corrected, relmse_corrected;
-  std::uint64_t non_finite;  ///< samples of all seeds
+  std::uint64_t non_finite;  ///< non-finite samples of all seeds
   std::optional<BiasEstimate> bias;
-  double error;  ///< median that curves, fits and tables use, see ChartSummary
-  /// Whether `error` stands out from what is uncertain of the floor (two standard errors); else
-  /// the point is no part of curves, fits and tables.
+  double error;  ///< the median for curves, fits and tables; see ChartSummary
+  /// Whether `error` exceeds the uncertainty of the floor (two standard errors); other points are
+  /// left out of curves, fits and tables.
   bool measurable;
 };
 
@@ -39,12 +39,12 @@ struct MethodSummary {
   /// Fits of the measurable medians.
   std::optional<PowerLaw> over_spp, over_time;
 
-  /// That of the most samples: what is left when noise is not.
+  /// The bias at the most samples, where the noise is least.
   const std::optional<BiasEstimate>& bias() const { return points.back().bias; }
 };
 
-/// What the finished runs of a chart show. "Error" is the median over the seeds of relMSE, less
-/// the noise floor where that is known.
+/// The results of the finished runs of a chart. "Error" is the median over the seeds of relMSE,
+/// less the noise floor where that is known.
 struct ChartSummary {
   std::optional<NoiseFloor> floor;
   std::vector<MethodSummary> methods;
@@ -58,10 +58,11 @@ struct ChartSummary {
 
 Spread spread(const std::vector<double>& values);
 
-/// The methods' curves, fits, tables and front follow from their points.
+/// Computes the methods' curves and fits, the tables and the front from the methods' points.
 ChartSummary summarise(std::vector<MethodSummary> methods, std::optional<NoiseFloor> floor);
 
-/// All runs of the plan must be in the log. Reads their pictures for the bias.
+/// Summarises the runs of the plan, all of which must be in the log. Reads their pictures to
+/// estimate the bias.
 ChartSummary summarise_runs(const ChartSettings& settings, const RunLog& log,
                             const GroundTruth& truth);
 

@@ -10,6 +10,10 @@ namespace raytracing {
 
 /// Half the width of a 95 % interval in standard errors.
 inline constexpr double kNormal95 = 1.960;
+/// A standard normal variable exceeds it with a probability of 0.5 %.
+inline constexpr double kOneSidedHalfPercent = 2.576;
+/// The absolute value of a standard normal variable exceeds it with a probability of 0.5 %.
+inline constexpr double kTwoSidedHalfPercent = 2.807;
 
 /// Mean and variance per pixel of the pictures of one method, one per seed (Welford 1962).
 class SeedMoments {

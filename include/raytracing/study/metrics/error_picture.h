@@ -1,19 +1,23 @@
 #pragma once
 
+#include <string>
+
 #include "raytracing/study/metrics/error_metrics.h"
 
 namespace raytracing {
 
-/// The ends of the colour bar, as powers of 10. Fixed, so that error pictures can be compared.
-struct ErrorScale {
-  int low = -5, high = 1;
-};
+/// The relative squared errors in false colours: matplotlib's "magma" on a logarithmic scale, fixed
+/// so that error maps can be compared; see error_colours(). Cyan pixels are not finite, grey ones
+/// lie outside the mask. The channels are R, G, B, linear. Throws InputError for pictures of
+/// different sizes or a mask of another size.
+ImageData error_map(const ImageData& test, const ImageData& reference, const PixelMask& mask = {});
 
-/// The relative squared errors in false colours on a logarithmic scale: matplotlib's "magma", from
-/// black (10^low and less) over red to light yellow (10^high and more). Cyan: not finite; grey:
-/// outside the mask. Below the picture, a colour bar with numbers and the formula. R, G, B, linear.
+/// The error map with a colour bar, its numbers and the formula below.
 ImageData error_picture(const ImageData& test, const ImageData& reference,
-                        const PixelMask& mask = {}, const ErrorScale& scale = {});
+                        const PixelMask& mask = {});
+
+/// The colour scale as text: "black (1e-5 and less) over red to light yellow (1e1 and more)".
+std::string error_colours();
 
 /// The colour at t in [0,1] of the map, as 8-bit sRGB codes; t beyond goes to the nearest end.
 Rgb magma(double t);

@@ -11,12 +11,10 @@
 
 namespace raytracing {
 
-inline constexpr int kStressSpp = 64;  ///< samples of a pixel
-
 enum class Verdict { holds, noisy, biased, broken };
 std::string_view to_string(Verdict verdict);
 
-/// The measurement of one method at one setting of one case: means of pixels of kStressSpp samples
+/// The measurement of one method at one setting of one case: means of pixels of `samples` samples
 /// with independent scrambles. All but `nanoseconds` is the same in every run.
 struct StressCell {
   const StressCase* stress_case;
@@ -24,6 +22,7 @@ struct StressCell {
   const DirectMethod* method;
   StressTruth truth;
   std::uint64_t pixels = 0;
+  int samples = 0;  ///< of each pixel, or of a picture whose pixels share paths
   double mean = 0;
   double standard_error = 0;  ///< of the mean
   double skewness = 0;        ///< of the pixels

@@ -7,12 +7,16 @@
 
 namespace raytracing {
 
+/// Ray casters round the corners relative to the ray's origin and their products: the occluders of
+/// the exact radiance are moved by so many roundings of their coordinates.
+inline constexpr int kOccluderRoundings = 4;
+
 /// The exact radiance of a stress scene at one vertex.
 struct StressTruth {
   double radiance;
   /// The largest change of the radiance when shadow rays begin where the renderer's do, a few float
-  /// spacings off the surface, and when the occluders move by four roundings of their own
-  /// coordinates: the uncertainty of rays in float32.
+  /// spacings off the surface, and when the occluders move by kOccluderRoundings roundings of their
+  /// own coordinates: the uncertainty of rays in float32.
   double rounding;
   /// The probability that a point uniform in the area of a light is seen, with the light chosen as
   /// the renderer does: a tenth evenly, the rest by power.
