@@ -92,7 +92,7 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   // Progress is in milliseconds, and not beyond the total when a chunk takes longer than planned.
-  const auto tell = [&](std::uint64_t, std::uint64_t) {
+  const auto report = [&](std::uint64_t, std::uint64_t) {
     const auto total = static_cast<std::uint64_t>(1000 * seconds) + 1;
     if (progress) progress(std::min(static_cast<std::uint64_t>(1000 * elapsed()), total), total);
   };
@@ -100,7 +100,7 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
   std::array<Half, 2> halves;
   while (chunk.spp >= kFirstChunk) {
     for (Half& half : halves) {
-      const RenderResult result = render(scene, run_options(settings, chunk), stop, tell);
+      const RenderResult result = render(scene, run_options(settings, chunk), stop, report);
       if (!result.complete) return std::nullopt;
       half.add(result.film, chunk.spp);
       ++chunk.seed;
