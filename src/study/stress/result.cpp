@@ -73,9 +73,11 @@ std::string stress_rule(double critical_z) {
       "where one sample holds {:g} % of the sum or more, or where pixels are dark and the visible "
       "part of the lights is too small for a uniform point to hit it {:g} times: the mean then "
       "depends on light that no sample has met. Unbiased methods are called biased in at most one "
-      "of {:g} runs (Bonferroni). noisy: relative RMSE above {:g}. holds: none of these.",
+      "of {:g} runs (Bonferroni). noisy: relative RMSE of {} samples above {:g}, or of more "
+      "samples "
+      "where pixels share paths. holds: none of these.",
       critical_z, kRounding, kOccluderRoundings, 100 * kLargestShare, 2 * kMinHits,
-      1 / kFamilyLevel, kNoisy);
+      1 / kFamilyLevel, kStressSpp, kNoisy);
 }
 
 bool looks_biased(const StressCell& cell, double critical_z) {

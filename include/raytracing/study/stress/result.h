@@ -11,6 +11,8 @@
 
 namespace raytracing {
 
+inline constexpr int kStressSpp = 64;  ///< samples of a pixel, unless paths are shared
+
 enum class Verdict { holds, noisy, biased, broken };
 std::string_view to_string(Verdict verdict);
 

@@ -19,7 +19,6 @@ struct StressPlan {
 };
 
 inline constexpr int kPixelsPerSeed = 256;
-inline constexpr int kStressSpp = 64;  ///< samples of a pixel, unless paths are shared
 
 /// Measures every method at every setting; a measurement that looks biased is repeated with four
 /// times as many other pixels. Threads take one setting after the other. `progress` receives the
