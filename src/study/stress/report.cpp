@@ -179,7 +179,7 @@ Report stress_report(const StressResult& result, const std::string& folder, bool
   const std::vector<StressTable> tables = stress_tables(result);
   Report report;
   report.title = "Stress: where the methods fail";
-  report.notes.push_back(
+  report.notes.emplace_back(
       "Each case sweeps one parameter towards trouble, at one point of a surface whose exact "
       "direct light is known without the renderer.");
   for (const std::string& line : stress_verdicts(result)) report.notes.push_back(line + ".");
