@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <variant>
 
@@ -26,23 +27,29 @@ auto visit_material(const Material& material, const F& f) {
   }
 }
 
+// These take a Material only, not a kind that converts to one: the function of a kind that is
+// missing would otherwise be found here, and call itself.
+
 /// f(wo,wi) |cos wi|.
-inline Rgb eval_cos(const Material& material, const Vec3& wo, const Vec3& wi) {
+template <std::same_as<Material> M>
+Rgb eval_cos(const M& material, const Vec3& wo, const Vec3& wi) {
   return visit_material(material, [&](const auto& kind) { return eval_cos(kind, wo, wi); });
 }
 
 /// A direction with density bsdf_pdf_w. Nothing when the sample points below the surface: it then
 /// carries no light.
-inline std::optional<BsdfSample> sample_bsdf(const Material& material, const Vec3& wo,
-                                             const Vec2& u) {
+template <std::same_as<Material> M>
+std::optional<BsdfSample> sample_bsdf(const M& material, const Vec3& wo, const Vec2& u) {
   return visit_material(material, [&](const auto& kind) { return sample_bsdf(kind, wo, u); });
 }
 
-inline float bsdf_pdf_w(const Material& material, const Vec3& wo, const Vec3& wi) {
+template <std::same_as<Material> M>
+float bsdf_pdf_w(const M& material, const Vec3& wo, const Vec3& wi) {
   return visit_material(material, [&](const auto& kind) { return bsdf_pdf_w(kind, wo, wi); });
 }
 
-inline LobeShape lobe_shape(const Material& material) {
+template <std::same_as<Material> M>
+LobeShape lobe_shape(const M& material) {
   return visit_material(material, [](const auto& kind) { return lobe_shape(kind); });
 }
 
