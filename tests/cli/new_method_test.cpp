@@ -45,8 +45,7 @@ TEST_F(NewMethod, IsCharted) {
 }
 
 TEST_F(NewMethod, IsStressed) {
-  const RunResult r =
-      run({"stress", "--out=s", "--case=contact", "--case=shared-paths", "--seeds=1"});
+  const RunResult r = run({"stress", "--out=s", "--case=contact", "--seeds=1"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_NE(at_.bytes("s/stress.csv").find("point-2"), std::string::npos);
 }
