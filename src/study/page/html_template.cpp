@@ -1,7 +1,6 @@
 #include "html_template.h"
 
 #include <cstdint>
-#include <ranges>
 #include <stdexcept>
 #include <vector>
 
@@ -67,9 +66,9 @@ class TemplateWriter {
 
   const Json& lookup(const std::string& name) const {
     if (name == ".") return *context_.back();
-    for (const Json* level : context_ | std::views::reverse) {
-      const auto found = level->find(name);
-      if (found != level->end()) return *found;
+    for (auto level = context_.rbegin(); level != context_.rend(); ++level) {
+      const auto found = (*level)->find(name);
+      if (found != (*level)->end()) return *found;
     }
     throw std::logic_error("template asks for " + name);
   }
