@@ -47,7 +47,7 @@ inline LobeShape lobe_shape(const Grey&) { return {.reflectance = Rgb(0.5f)}; }
 
 namespace raytracing {
 
-static_assert(std::variant_size_v<Material> == 3);
+static_assert(std::is_same_v<std::variant_alternative_t<0, Material>, Grey>);
 
 bool uses_every_part(const Material& material, const Vec3& w, const Vec2& u) {
   const Rgb value = eval_cos(material, w, w) + lobe_shape(material).reflectance;
