@@ -56,6 +56,7 @@ TEST_F(ChartCommand, LeavesTablesPicturesAndAPage) {
   const nlohmann::json j = at_.json("c/summary.json");
   EXPECT_EQ(j["max_depth"], 1);
   EXPECT_GT(j["noise_floor"]["relmse"]["value"], 0);
+  EXPECT_EQ(j["reference_non_finite_samples"], 0);
   ASSERT_EQ(j["methods"].size(), 2u);
   for (const auto& method : j["methods"]) {
     EXPECT_EQ(method["points"].size(), 3u);
@@ -82,7 +83,31 @@ TEST_F(ChartCommand, ResumesAndRepeatsNothing) {
   std::filesystem::remove(at_.folder / "c/runs/point_2_1.exr");
   const RunResult mended = chart();
   EXPECT_NE(mended.err.find("18 runs, 17 of them finished before"), std::string::npos);
+  EXPECT_NE(mended.err.find("warning: c/runs.csv: rows without a picture in runs/: 1; rendered "
+                            "again; the old table is kept as runs.csv.old\n"),
+            std::string::npos)
+      << mended.err;
   EXPECT_EQ(pictures(), 21u);
+}
+
+// The radiance overflows when light is added to it.
+TEST_F(ChartCommand, CountsAndTellsNonFiniteSamplesOfTheReference) {
+  at_.folder.write("s.toml",
+                   "[film]\nwidth = 4\nheight = 4\n[camera]\norigin = [0,0,2]\n"
+                   "target = [0,0,0]\n[materials.sun]\ntype = 'diffuse'\nreflectance = 1\n"
+                   "emission = 3e38\n[[models]]\nobj = 'm.obj'\nmaterial = 'sun'\n");
+  at_.folder.write("m.obj",
+                   "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\n"
+                   "f 1 2 3 4\nf 5 6 2 1\n");
+  const RunResult run = at_.run({"chart", "s.toml", "--out=c", "--methods=point", "--spp=1",
+                                 "--seeds=2", "--reference-time=0.001"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const std::uint64_t count = at_.json("c/summary.json").value("reference_non_finite_samples", 0u);
+  EXPECT_GT(count, 0u);
+  EXPECT_NE(run.err.find(std::to_string(count) +
+                         " samples of the reference were not finite and count as black\n"),
+            std::string::npos)
+      << run.err;
 }
 
 TEST_F(ChartCommand, RefusesAFolderOfOtherSettings) {

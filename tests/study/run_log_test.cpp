@@ -94,14 +94,40 @@ TEST(RunLog, RowsArePresentAfterReopening) {
   EXPECT_EQ(log.find("solid-angle", 16, 2), nullptr);
   EXPECT_EQ(log.find("solid-angle", 8, 1), nullptr);
   EXPECT_EQ(log.find("point", 16, 1), nullptr);
+  EXPECT_EQ(log.at("solid-angle", 16, 1).repetition, 1u);
+  EXPECT_THROW(log.at("point", 16, 1), std::out_of_range);
 }
 
-TEST(RunLog, ARowThatWasCutOffIsTakenOut) {
+TEST(RunLog, ARowThatWasCutOffIsTakenOutAndTold) {
   const LogFolder at;
   const std::string good = run_csv_header() + "\n" + to_csv(example(0)) + "\n";
-  at.folder.write("runs.csv", good + to_csv(example(1)));  // without the line's end
-  EXPECT_EQ(at.log().runs().size(), 1u);
+  const std::string cut_off = good + to_csv(example(1));  // without the line's end
+  at.folder.write("runs.csv", cut_off);
+  const RunLog log = at.log();
+  EXPECT_EQ(log.runs().size(), 1u);
+  EXPECT_EQ(log.warnings(),
+            std::vector<std::string>{at.csv + ":3: incomplete row (1 in all); rendered again; the "
+                                              "old table is kept as runs.csv.old"});
   EXPECT_EQ(read_file(at.csv), good);
+  EXPECT_EQ(read_file(at.csv + ".old"), cut_off);
+}
+
+// The second time, too, the old table is kept beside the first one.
+TEST(RunLog, RowsThatCannotBeReadAreCountedAndKept) {
+  const LogFolder at;
+  const std::string header = run_csv_header() + "\n", row = to_csv(example(0)) + "\n";
+  const std::string torn = header + "x\n" + row + "\n" + to_csv(example(1)) + "\n";
+  at.folder.write("runs.csv.old", "older");
+  at.folder.write("runs.csv", torn);
+  const RunLog log = at.log();
+  EXPECT_EQ(log.runs().size(), 2u);
+  ASSERT_EQ(log.warnings().size(), 1u);
+  EXPECT_TRUE(log.warnings()[0].starts_with(at.csv + ":2: incomplete row (2 in all); "))
+      << log.warnings()[0];
+  EXPECT_EQ(read_file(at.csv + ".old"), "older");
+  EXPECT_EQ(read_file(at.csv + ".old2"), torn);
+  EXPECT_EQ(read_file(at.csv), header + row + to_csv(example(1)) + "\n");
+  EXPECT_TRUE(at.log().warnings().empty());
 }
 
 TEST(RunLog, ARowWithoutItsPictureIsTakenOut) {
@@ -110,10 +136,12 @@ TEST(RunLog, ARowWithoutItsPictureIsTakenOut) {
   at.folder.write("runs.csv", good + to_csv(example(9)) + "\n");
   const RunLog log = at.log();
   EXPECT_EQ(log.runs().size(), 1u);
-  EXPECT_EQ(log.dropped(), 1u);
+  ASSERT_EQ(log.warnings().size(), 1u);
+  EXPECT_TRUE(log.warnings()[0].starts_with(at.csv + ": rows without a picture in runs/: 1; "))
+      << log.warnings()[0];
   EXPECT_EQ(read_file(at.csv), good);
   EXPECT_EQ(read_file(at.csv + ".old"), good + to_csv(example(9)) + "\n");
-  EXPECT_EQ(at.log().dropped(), 0u);
+  EXPECT_TRUE(at.log().warnings().empty());
 }
 
 TEST(RunLog, AnotherTableIsRefusedAndLeftAlone) {

@@ -28,20 +28,17 @@ class Chart {
     const PixelMask mask = read_mask(request_.mask, settings_.width, settings_.height);
     if (!request_.mask.empty()) mask_id_ = fmt::format("{:016x}", hash_of_file(request_.mask));
     std::optional<Reference> reference;
+    reference_id_ = reference_id();
     if (!is_automatic()) reference = read_reference_file();
     create_folder();
-    claim_folder(settings_.folder, settings_json(settings_, reference_id(), mask_id_));
+    claim_folder(settings_.folder, settings_json(settings_, reference_id_, mask_id_));
     if (is_automatic()) reference = automatic_reference(scene);
     if (!reference) return ChartEnd::stopped_in_reference;
     const GroundTruth truth(std::move(*reference), mask);
     describe(truth);
 
     RunLog log(settings_.folder);
-    if (log.dropped() > 0)
-      listener_.warn(
-          fmt::format("{} rows of {}/runs.csv have no picture in runs/ and are rendered again; the "
-                      "old table is kept as runs.csv.old",
-                      log.dropped(), settings_.folder));
+    for (const std::string& line : log.warnings()) listener_.warn(line);
     if (!make_all_runs(scene, truth, log)) return ChartEnd::stopped_in_runs;
     write_results(summarise_runs(settings_, log, truth), log, truth);
     return ChartEnd::complete;
@@ -86,7 +83,7 @@ class Chart {
 
   // Takes the reference from the folder, or renders it. Empty when stopped.
   std::optional<Reference> automatic_reference(const Scene& scene) const {
-    const std::string id = settings_json(settings_, reference_id(), "").dump();
+    const std::string id = settings_json(settings_, reference_id_, "").dump();
     const std::string path =
         fmt::format("{}/reference_{:016x}.exr", settings_.folder, hash_bytes(id));
     if (std::filesystem::exists(path)) return read_reference(path, terms());
@@ -106,6 +103,9 @@ class Chart {
 
   void describe(const GroundTruth& truth) const {
     const std::string& source = truth.reference.variance_source;
+    if (const auto count = truth.reference.non_finite_samples; count.value_or(0) > 0)
+      listener_.warn(
+          fmt::format("{} samples of the reference were not finite and count as black", *count));
     if (truth.floor)
       listener_.note(fmt::format("reference: its own relMSE is {:.3g} ± {:.1g} ({}); subtracted",
                                  truth.floor->relmse.value, truth.floor->relmse.standard_error,
@@ -148,7 +148,9 @@ class Chart {
     for (const MethodSummary& m : summary.methods)
       if (m.bias()) listener_.note(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
     listener_.file_written("runs.csv");
-    nlohmann::ordered_json json = settings_json(settings_, reference_id(), mask_id_);
+    nlohmann::ordered_json json = settings_json(settings_, reference_id_, mask_id_);
+    if (const auto count = truth.reference.non_finite_samples)
+      json["reference_non_finite_samples"] = *count;
     json.update(to_json(summary));
     write("summary.json", json.dump(2) + "\n");
     write("chart.dat", plot_data(summary, plot_bottom(summary)));
@@ -180,7 +182,7 @@ class Chart {
 
   std::vector<std::pair<std::string, std::string>> facts() const {
     auto facts = fact_rows(common_facts(settings_));
-    facts.emplace_back("reference", reference_id());
+    facts.emplace_back("reference", reference_id_);
     facts.emplace_back("mask", mask_id_);
     return facts;
   }
@@ -189,7 +191,7 @@ class Chart {
   const ChartSettings& settings_;
   const std::atomic<bool>& stop_;
   ChartListener& listener_;
-  std::string mask_id_ = "none";
+  std::string reference_id_, mask_id_ = "none";
 };
 
 }  // namespace

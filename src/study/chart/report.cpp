@@ -41,7 +41,7 @@ ReportPicture picture_of(const MethodSummary& method, double seconds, const RunL
                          const GroundTruth& truth) {
   const ChartPoint& point = best_within(method, seconds);
   const std::string_view name = method.method->name;
-  const ChartRun& run = *log.find(name, point.spp, 0);
+  const ChartRun& run = log.at(name, point.spp, 0);
   const ImageData image = read_image(log.picture_path(name, point.spp, 0));
   return {method_label(*method.method),
           fmt::format("{} spp in {:.3g} s (median), of at most {:.3g} s; relMSE {:.3g}", point.spp,
@@ -213,6 +213,8 @@ Report chart_report(const ChartSettings& settings, const ChartSummary& summary, 
   report.facts = std::move(facts);
   report.facts.emplace_back("number of seeds", std::to_string(settings.seeds));
   report.facts.emplace_back("noise of the reference", truth.reference.variance_source);
+  if (const auto count = truth.reference.non_finite_samples)
+    report.facts.emplace_back("non-finite samples of the reference", std::to_string(*count));
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
@@ -44,6 +45,12 @@ bool read_number(std::string_view text, Number& number) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   return stop == end && error == std::errc();
+}
+
+void write_file(const std::string& path, const std::string& bytes) {
+  OutputFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 [[noreturn]] void throw_not_written(const std::string& path) {
@@ -102,45 +109,66 @@ RunLog::RunLog(std::string folder) : folder_(std::move(folder)) {
   std::error_code error;
   std::filesystem::create_directories(folder_ + "/runs", error);
   if (error) throw_not_written(folder_ + "/runs");
-  if (std::filesystem::exists(path)) {
-    std::string_view text;
-    const std::string bytes = read_file(path);
-    text = bytes;
-    if (!text.starts_with(run_csv_header() + "\n"))
-      throw InputError(path + ": its first line is not that of a chart's runs");
-    text.remove_prefix(run_csv_header().size() + 1);
-    // Text after the last end of line belongs to a row that was cut off.
-    for (std::size_t end; (end = text.find('\n')) != std::string_view::npos;
-         text.remove_prefix(end + 1)) {
-      const auto run = run_from_csv(text.substr(0, end));
-      if (!run) continue;
-      if (std::filesystem::exists(
-              picture_path(*run->facts.light_sampling, *run->facts.spp, run->repetition)))
-        runs_.push_back(*run);
-      else
-        ++dropped_;
-    }
-    if (dropped_ > 0) {
-      OutputFile old(path + ".old");
-      old.write(bytes);
-      old.commit();
-    }
-  }
-  OutputFile table(path);
+  if (std::filesystem::exists(path)) read_table(path);
   std::string rows = run_csv_header() + "\n";
   for (const ChartRun& run : runs_) rows += to_csv(run) + "\n";
-  table.write(rows);
-  table.commit();
+  write_file(path, rows);
   file_.reset(std::fopen(path.c_str(), "ab"));
   if (!file_) throw_not_written(path);
 }
 
+void RunLog::read_table(const std::string& path) {
+  const std::string bytes = read_file(path);
+  std::string_view text = bytes;
+  if (!text.starts_with(run_csv_header() + "\n"))
+    throw InputError(path + ": its first line is not that of a chart's runs");
+  std::size_t unreadable = 0, first_unreadable = 0, without_picture = 0;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = text.find('\n');
+    const auto run = run_from_csv(text.substr(0, end));
+    const bool cut_off = end == std::string_view::npos;
+    text.remove_prefix(cut_off ? text.size() : end + 1);
+    if (line == 1) continue;  // the header
+    if (!run || cut_off) {
+      if (++unreadable == 1) first_unreadable = line;
+    } else if (std::filesystem::exists(
+                   picture_path(*run->facts.light_sampling, *run->facts.spp, run->repetition))) {
+      insert(*run);
+    } else {
+      ++without_picture;
+    }
+  }
+  if (unreadable + without_picture == 0) return;
+  std::string old = path + ".old";
+  for (int number = 2; std::filesystem::exists(old); ++number)
+    old = fmt::format("{}.old{}", path, number);
+  write_file(old, bytes);
+  const std::string again = fmt::format("rendered again; the old table is kept as {}",
+                                        std::filesystem::path(old).filename().string());
+  if (unreadable > 0)
+    warnings_.push_back(fmt::format("{}:{}: incomplete row ({} in all); {}", path, first_unreadable,
+                                    unreadable, again));
+  if (without_picture > 0)
+    warnings_.push_back(
+        fmt::format("{}: rows without a picture in runs/: {}; {}", path, without_picture, again));
+}
+
+void RunLog::insert(const ChartRun& run) {
+  index_.emplace(Key(*run.facts.light_sampling, *run.facts.spp, run.repetition), runs_.size());
+  runs_.push_back(run);
+}
+
 const ChartRun* RunLog::find(std::string_view method, std::uint64_t spp,
                              std::uint64_t repetition) const {
-  for (const ChartRun& run : runs_)
-    if (run.facts.light_sampling == method && run.facts.spp == spp && run.repetition == repetition)
-      return &run;
-  return nullptr;
+  const auto found = index_.find(Key(method, spp, repetition));
+  return found == index_.end() ? nullptr : &runs_[found->second];
+}
+
+const ChartRun& RunLog::at(std::string_view method, std::uint64_t spp,
+                           std::uint64_t repetition) const {
+  if (const ChartRun* run = find(method, spp, repetition)) return *run;
+  throw std::out_of_range(
+      fmt::format("{}/runs.csv lacks {} at {} spp, {}", folder_, method, spp, repetition));
 }
 
 std::string RunLog::picture_path(std::string_view method, std::uint64_t spp,
@@ -153,7 +181,7 @@ void RunLog::add(const ChartRun& run) {
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() ||
       std::fflush(file_.get()) != 0)
     throw_not_written(folder_ + "/runs.csv");
-  runs_.push_back(run);
+  insert(run);
 }
 
 }  // namespace raytracing

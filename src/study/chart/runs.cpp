@@ -98,11 +98,13 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
   };
   PlannedRun chunk{&reference_method(settings.max_depth), kFirstChunk, 0, kFirstReferenceSeed};
   std::array<Half, 2> halves;
+  std::uint64_t non_finite_samples = 0;
   while (chunk.spp >= kFirstChunk) {
     for (Half& half : halves) {
       const RenderResult result = render(scene, run_options(settings, chunk), stop, report);
       if (!result.complete) return std::nullopt;
       half.add(result.film, chunk.spp);
+      non_finite_samples += result.non_finite_samples;
       ++chunk.seed;
     }
     const double affordable =
@@ -123,6 +125,7 @@ std::optional<ImageData> render_reference(const Scene& scene, const ChartSetting
   facts.seeds = fmt::format("{} to {}", kFirstReferenceSeed, chunk.seed - 1);
   facts.render_seconds = elapsed();
   facts.complete = true;
+  facts.non_finite_samples = non_finite_samples;
   joined.metadata = named_values(facts);
   return joined;
 }

@@ -204,7 +204,7 @@ ChartSummary summarise_runs(const ChartSettings& settings, const RunLog& log,
       std::vector<const ChartRun*> runs;
       SeedMoments moments;
       for (std::uint64_t repetition = 0; repetition < settings.seeds; ++repetition) {
-        runs.push_back(log.find(method->name, spp, repetition));
+        runs.push_back(&log.at(method->name, spp, repetition));
         moments.add(read_image(log.picture_path(method->name, spp, repetition)));
       }
       ChartPoint& point = m.points.emplace_back(point_of(spp, runs));

@@ -98,6 +98,7 @@ ImageData join_halves(const ImageData& a, const ImageData& b) {
 Reference to_reference(ImageData picture) {
   const RunFacts facts = facts_of(picture.metadata);
   Reference reference{std::move(picture), {}, ""};
+  reference.non_finite_samples = facts.non_finite_samples;
   if (RgbView::has(reference.picture, "halfA.") && RgbView::has(reference.picture, "halfB.")) {
     reference.variance = variance_of_halves(reference.picture);
     reference.variance_source = "from two independent halves";

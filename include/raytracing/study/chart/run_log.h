@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "raytracing/render/provenance.h"
@@ -34,15 +36,18 @@ std::optional<ChartRun> run_from_csv(std::string_view line);
 /// A run is finished when it has both.
 class RunLog {
  public:
-  /// Reads the table, if there is one, and removes rows that were cut off or have no picture; in
-  /// the second case the old table is kept as runs.csv.old. Throws InputError for a file that is no
-  /// such table, and OutputError.
+  /// Reads the table, if there is one, and removes rows that cannot be read, as one that was cut
+  /// off, and rows without a picture; the old table is then kept as runs.csv.old, or .old2 and so
+  /// on where that exists. Throws InputError for a file that is no such table, and OutputError.
   explicit RunLog(std::string folder);
 
   const std::vector<ChartRun>& runs() const { return runs_; }
-  /// The number of rows that were removed because their picture is missing.
-  std::size_t dropped() const { return dropped_; }
+  /// What was removed and why, one line each; empty when nothing was.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  /// The run, or null when it is not finished. Valid until the next add().
   const ChartRun* find(std::string_view method, std::uint64_t spp, std::uint64_t repetition) const;
+  /// The finished run. Throws std::out_of_range when it is not finished.
+  const ChartRun& at(std::string_view method, std::uint64_t spp, std::uint64_t repetition) const;
   std::string picture_path(std::string_view method, std::uint64_t spp,
                            std::uint64_t repetition) const;
   /// Appends a row, which is on its way to the disk when this returns. Throws OutputError.
@@ -53,9 +58,15 @@ class RunLog {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  using Key = std::tuple<std::string, std::uint64_t, std::uint64_t>;  // method, spp, repetition
+
+  void read_table(const std::string& path);
+  void insert(const ChartRun& run);
+
   std::string folder_;
-  std::vector<ChartRun> runs_;
-  std::size_t dropped_ = 0;
+  std::vector<ChartRun> runs_;        // in the order of the table
+  std::map<Key, std::size_t> index_;  // into runs_
+  std::vector<std::string> warnings_;
   std::unique_ptr<std::FILE, Close> file_;
 };
 

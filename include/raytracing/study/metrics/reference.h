@@ -16,6 +16,8 @@ struct Reference {
   std::vector<DVec3> variance;
   std::string variance_source;  ///< the source of the variance, or why it is not known
   std::string unchecked = "";   ///< terms that the file's header does not contain
+  /// Samples of the picture that count as black; empty when its header does not say.
+  std::optional<std::uint64_t> non_finite_samples = {};
 };
 
 /// The error that a perfect picture would show against the reference: the mean of the reference's
