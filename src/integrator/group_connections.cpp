@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "raytracing/materials/lobe.h"
 #include "raytracing/materials/material.h"
 #include "raytracing/math/numeric.h"
 
@@ -14,33 +15,6 @@ namespace {
 // this repository.
 constexpr int kShaftLimit = 32;
 
-// Reflection of light from one direction: f cos is `value` times the reflectance, in which white
-// has the weight `schlick`.
-struct Lobe {
-  float pdf_w;  // as bsdf_pdf_w
-  float value;
-  float schlick;
-};
-
-Lobe lambertian_lobe(float cos_i) { return {cos_i * kInvPi, cos_i * kInvPi, 0}; }
-
-// The lobe around the unit shading normal n for the unit directions wo and wi above its horizon,
-// all in world space. Both kinds of lobe are computed and one is chosen, without branches.
-Lobe lobe(const LobeShape& shape, const Vec3& n, const Vec3& wo, const Vec3& wi) {
-  const float cos_o = dot(n, wo), cos_i = dot(n, wi);
-  const Vec3 sum = wo + wi, turned = cross(n, sum);
-  const float length2 = dot(sum, sum), scale = 1 / length2;
-  const float distribution =
-      ggx::distribution(shape.alpha, scale * dot(turned, turned), scale * square(dot(n, sum)));
-  const float stretched_o = ggx::stretched(shape.alpha, 1 - square(cos_o), square(cos_o));
-  const float stretched_i = ggx::stretched(shape.alpha, 1 - square(cos_i), square(cos_i));
-  const bool ggx = shape.ggx > 0;
-  const float lambertian = cos_i * kInvPi;
-  return {ggx ? ggx::pdf_w(distribution, cos_o, stretched_o) : lambertian,
-          ggx ? ggx::value(distribution, cos_o, cos_i, stretched_o, stretched_i) : lambertian,
-          shape.schlick * ggx::schlick_weight(std::sqrt(length2) / 2)};
-}
-
 // Sum of the first n lanes, in one fixed order.
 float sum(const Lanes& lanes, int n) {
   std::array<float, 8> partial{};
@@ -51,9 +25,6 @@ float sum(const Lanes& lanes, int n) {
   return partial[0];
 }
 
-// The reflectance, in which white has this weight.
-float with_white(float reflectance, float white) { return reflectance + (1 - reflectance) * white; }
-
 }  // namespace
 
 void GroupConnections::begin(std::size_t n) {
@@ -63,7 +34,7 @@ void GroupConnections::begin(std::size_t n) {
     for (Vec3Lanes* lanes :
          {&first_.origin, &first_.ng, &first_.ns, &first_.wo, &first_.reflectance, &gathered_})
       lanes->set(k, Vec3(0.0f));
-    first_.ggx[k] = first_.schlick[k] = 0;
+    first_.is_ggx[k] = first_.schlick[k] = 0;
     first_.alpha[k] = 1;
   }
 }
@@ -76,10 +47,10 @@ void GroupConnections::set_first(std::size_t lane, const Vertex& x) {
   first_.ns.set(k, x.shading.z);
   first_.wo.set(k, x.shading.to_world(x.wo));
   first_.reflectance.set(k, shape.reflectance);
-  first_.ggx[k] = shape.ggx;
+  first_.is_ggx[k] = shape.is_ggx;
   first_.alpha[k] = shape.alpha;
   first_.schlick[k] = shape.schlick;
-  any_ggx_ |= shape.ggx > 0;
+  any_ggx_ |= shape.is_ggx > 0;
 }
 
 void GroupConnections::connect_to(const Vertex& y, std::size_t owner, RayQueries& rays) {
@@ -104,9 +75,7 @@ void GroupConnections::evaluate_unoccluded(const Vertex& y) {
         std::min(std::min(cos_y, -dot(wi, ns)), std::min(dot(wi, nx), dot(wi, first_.ng.at(k))));
     Lobe l = lambertian_lobe(dot(wi, nx));
     if constexpr (kAnyGgx) {
-      const LobeShape shape{
-          .ggx = first_.ggx[k], .alpha = first_.alpha[k], .schlick = first_.schlick[k]};
-      l = lobe(shape, nx, first_.wo.at(k), wi);
+      l = lobe(first_.is_ggx[k], first_.alpha[k], first_.schlick[k], nx, first_.wo.at(k), wi);
     }
     const float geometry = above > 0 ? cos_y / distance2 : 0.0f;
     connections_.wo.x[k] = -wi.x;
@@ -179,7 +148,8 @@ void GroupConnections::add_glossy(const Term& term, const Vertex& y) {
   const Vec3 ns = y.shading.z;
   alignas(64) Lanes densities{}, value, schlick;
   for (int k = 0; k < lanes_; ++k) {
-    const Lobe l = lobe(shape, ns, connections_.wo.at(k), term.wi);
+    const Lobe l =
+        lobe(shape.is_ggx, shape.alpha, shape.schlick, ns, connections_.wo.at(k), term.wi);
     const bool seen = connections_.pdf_a[k] > 0;
     densities[k] = seen ? connections_.pdf_a[k] * (term.light_pdf_w + term.bsdf * l.pdf_w) : 0.0f;
     value[k] = seen ? connections_.value[k] * l.value : 0.0f;

@@ -54,7 +54,7 @@ class GroupConnections {
   struct FirstVertices {
     Vec3Lanes origin, ng, ns, wo;  // world; `origin` is that of rays
     Vec3Lanes reflectance;
-    Lanes ggx, alpha, schlick;  // as in LobeShape
+    Lanes is_ggx, alpha, schlick;  // as in LobeShape
   };
   struct alignas(64) Connections {
     Vec3Lanes wo;   // from y to x_k, unit

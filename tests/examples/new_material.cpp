@@ -37,7 +37,7 @@ inline std::optional<BsdfSample> sample_bsdf(const Grey&, const Vec3& wo, const 
 #endif
 
 #ifndef WITHOUT_lobe_shape
-inline LobeShape lobe_shape(const Grey&) { return {.reflectance = Rgb(0.5f)}; }
+inline LobeShape lobe_shape(const Grey&) { return LobeShape::lambertian(Rgb(0.5f)); }
 #endif
 
 }  // namespace raytracing

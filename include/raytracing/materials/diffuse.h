@@ -7,7 +7,7 @@
 
 namespace raytracing {
 
-/// Lambert's reflector: f = reflectance / pi on both sides.
+/// Lambert's reflector: f = reflectance / pi.
 struct Diffuse {
   static constexpr bool kLambertian = true;
   /// Light sampling is left alone: the lobe is wider than any light.
@@ -31,6 +31,8 @@ inline std::optional<BsdfSample> sample_bsdf(const Diffuse& diffuse, const Vec3&
   return BsdfSample{wi, diffuse.reflectance, cosine_hemisphere_pdf_w(wi.z)};
 }
 
-inline LobeShape lobe_shape(const Diffuse& diffuse) { return {.reflectance = diffuse.reflectance}; }
+inline LobeShape lobe_shape(const Diffuse& diffuse) {
+  return LobeShape::lambertian(diffuse.reflectance);
+}
 
 }  // namespace raytracing

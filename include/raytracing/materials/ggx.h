@@ -118,10 +118,7 @@ inline std::optional<BsdfSample> sample_bsdf(const GgxConductor& m, const Vec3& 
 }
 
 inline LobeShape lobe_shape(const GgxConductor& m) {
-  return {.reflectance = m.reflectance,
-          .ggx = 1,
-          .alpha = m.alpha,
-          .schlick = m.fresnel == Fresnel::schlick ? 1.0f : 0.0f};
+  return LobeShape::ggx(m.reflectance, m.alpha, m.fresnel == Fresnel::schlick);
 }
 
 }  // namespace raytracing

@@ -12,7 +12,8 @@ namespace raytracing {
 /// The closed set of surface reflectances. To add one, write its struct in a header of its own and
 /// name it here. The compiler then asks for what each must have: eval_cos, bsdf_pdf_w, sample_bsdf
 /// and lobe_shape by the conventions of bsdf_sample.h; the constants kLambertian and kWantsMis; and
-/// its place wherever kinds are told apart (by `visit_material`).
+/// its place wherever kinds are told apart (by `visit_material`). materials_lobe_test asks for
+/// examples of it, and holds its lobe_shape against its eval_cos and bsdf_pdf_w.
 using Material = std::variant<Diffuse, GgxConductor>;
 
 /// Calls `f` with the material's own kind. `f` must take every kind, or the program does not
@@ -61,7 +62,10 @@ inline bool is_lambertian(const Material& material) {
 
 /// Whether light that BSDF sampling finds should share the work with light sampling.
 inline bool wants_mis(const Material& material) {
-  return visit_material(material, [](const auto& kind) { return kind.kWantsMis; });
+  return visit_material(material, []<class Kind>(const Kind&) {
+    static_assert(!(Kind::kLambertian && Kind::kWantsMis), "a closed form has no weight for MIS");
+    return Kind::kWantsMis;
+  });
 }
 
 }  // namespace raytracing
