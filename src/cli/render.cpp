@@ -158,8 +158,7 @@ int render_command(const Arguments& arguments) {
   const RenderOptions options = render_options(a, input.file());
   std::optional<Outputs> outputs;
   if (!a.replay) outputs.emplace(a, input.file());
-  const Scene& scene = input.build(options.height, a.threads,
-                                   options.path.method->asks_segments || shares_paths(options));
+  const Scene& scene = input.build(options.height, a.threads, needs_occluders(options));
   if (a.replay) {
     fmt::print("{}", replay_text(scene, options, *a.replay, input.origin()));
     return kExitGood;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 
 #include "float8.h"
 #include "raytracing/geometry/occluder_tree.h"
@@ -144,6 +145,7 @@ struct OccluderTree::SegmentQuery {
 
 IntervalSet OccluderTree::visible_part(const Vec3& p, const Vec3& a, const Vec3& d,
                                        const Interval& range, std::uint32_t skipped) const {
+  if (!built_) throw std::logic_error("a visible part was asked for without an occluder tree");
   IntervalSet visible(range);
   const float coordinate = std::max(max_coordinate_, max_component(absolute(p)));
   SegmentQuery query(p, a, d, coordinate, skipped);

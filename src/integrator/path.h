@@ -22,13 +22,14 @@ struct PathState {
   PathLog& log;
   std::uint32_t depth = 0;  ///< number of the current vertex; the first one is 0
   Rgb throughput{1.0f};     ///< of the bounces so far
-  Rgb radiance{0.0f};       ///< that the path has found so far, as it reaches the first vertex
+  Rgb radiance{0.0f};       ///< found so far, as it leaves the vertex at which the path began
 
   const Vertex& vertex() const { return vertices_[current_]; }
   /// The vertex that the last bounce left.
   const Vertex& previous() const { return vertices_[current_ ^ 1]; }
 
-  /// Begins at the vertex of number `at_depth`, of which the log gets an empty step.
+  /// Begins a path that has found nothing at the vertex of number `at_depth`. The log gets an empty
+  /// step for it.
   void begin(const Vertex& v, std::uint32_t at_depth) {
     depth = at_depth;
     vertices_[current_] = v;

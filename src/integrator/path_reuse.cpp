@@ -97,7 +97,7 @@ void SharedPathTracer::find_light_samples(const PathContext& in, const Vertex& y
   direct_light(in, y, 1, sampler, &light_samples_);
   const bool uses_mis = options_.method->uses_mis(*y.material);
   for (const LightSample& s : light_samples_)
-    terms_.push_back(uses_mis ? Term{s.wi, s.light * s.pdf_w, s.pdf_w, 1}
+    terms_.push_back(uses_mis ? Term{s.wi, s.light * s.light_pdf_w, s.light_pdf_w, 1}
                               : Term{s.wi, s.light, 1, 0});
 }
 

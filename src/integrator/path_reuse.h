@@ -26,7 +26,7 @@ class SharedPathTracer final : public PathTracer {
   void follow_bounce(const PathContext& in, const Vertex& y, PathSampler& sampler);
 
   const Scene& scene_;
-  const PathOptions& options_;
+  const PathOptions options_;
   // Scratch of trace(), by sample.
   std::array<std::optional<Hit>, kMaxSamples> first_hits_;
   std::array<std::optional<Vertex>, kMaxSamples> second_;  // where the first bounce arrived

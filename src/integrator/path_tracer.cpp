@@ -28,7 +28,7 @@ class PlainPathTracer final : public PathTracer {
 
  private:
   const Scene& scene_;
-  const PathOptions& options_;
+  const PathOptions options_;
   PathLog unwanted_log_;
 };
 

@@ -22,8 +22,6 @@ struct ReplicateSample {
 
 }  // namespace
 
-int group_edge(const RenderOptions& options) { return shares_paths(options) ? options.reuse : 1; }
-
 PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample) {
   const ReplicateSample s(options, sample);
   return PixelGroups(options.width, options.height, group_edge(options), options.seed, s.sample,

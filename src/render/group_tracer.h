@@ -10,9 +10,6 @@
 
 namespace raytracing {
 
-/// Edge of the groups of pixels that are traced together: 1 where paths are not shared.
-int group_edge(const RenderOptions& options);
-
 /// The groups of sample number `sample`.
 PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample);
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "raytracing/sampling/mis.h"
 #include "support/statistics.h"
 
 namespace raytracing {
@@ -95,13 +94,6 @@ TEST(Warp, ExtremesStayInside) {
     }
   EXPECT_EQ(square_to_disk({0.5f, 0.5f}), Vec2(0, 0));
   EXPECT_EQ(square_to_cosine_hemisphere({0.5f, 0.5f}), Vec3(0, 0, 1));
-}
-
-TEST(Warp, BalanceHeuristicSharesOne) {
-  EXPECT_EQ(balance_heuristic(3, 1), 0.75f);
-  EXPECT_EQ(balance_heuristic(2, 0), 1);
-  EXPECT_EQ(balance_heuristic(0, 2), 0);
-  EXPECT_FLOAT_EQ(balance_heuristic(0.3f, 5) + balance_heuristic(5, 0.3f), 1);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class OccluderTree {
   /// Returns the exact visible part of a segment: the parameters t within `range`, itself within
   /// [0,1], for which a + t d is visible from p. Triangles of the group `skipped`, triangles in the
   /// plane of the query and triangles through p do not occlude. A segment whose line passes through
-  /// p counts as visible.
+  /// p counts as visible. Throws std::logic_error when the tree was not built.
   ///
   /// The query is the triangle (p, a, b = a + d). A point of its plane is p + alpha (a-p) +
   /// beta (b-p); where alpha, beta >= 0 and alpha + beta < 1, it occludes the point

@@ -6,7 +6,6 @@
 
 #include "raytracing/integrator/ray_queries.h"
 #include "raytracing/materials/material.h"
-#include "raytracing/sampling/mis.h"
 #include "raytracing/sampling/sampler.h"
 
 namespace raytracing {
@@ -24,14 +23,25 @@ struct DirectQuery {
 };
 
 /// One direction of an estimate, without the factors that depend on the viewer. In expectation the
-/// vertex reflects f cos times `light`.
+/// vertex reflects the sum of f cos times `light` over the directions of an estimate.
 struct LightSample {
-  Vec3 wi;      ///< direction to the light, world space, unit
-  Rgb light;    ///< radiance over density: Le V / (pdf_w light_pmf)
-  float pdf_w;  ///< density per steradian, times light_pmf
+  Vec3 wi;            ///< direction to the light, world space, unit, above both horizons
+  Rgb light;          ///< radiance over density: share Le V / light_pdf_w
+  float light_pdf_w;  ///< density per steradian, times the probability of the light
 };
 
-/// f(wo,wi) |cos wi| of the vertex for the direction wi (world, unit); black below either horizon.
+/// Returns the weight of the balance heuristic (Veach & Guibas 1995, eq. 14) for a sample of the
+/// density `pdf` when another strategy, with one sample too, chooses it with the density
+/// `other_pdf`. Both densities must have the same measure; one of them must be positive.
+inline float balance_heuristic(float pdf, float other_pdf) { return pdf / (pdf + other_pdf); }
+
+/// Returns whether the direction wi (world) lies above the horizons of both normals of the vertex.
+inline bool is_above_horizons(const Vertex& vertex, const Vec3& wi) {
+  return dot(wi, vertex.ng) > 0 && dot(wi, vertex.shading.z) > 0;
+}
+
+/// Returns f(wo,wi) |cos wi| of the vertex for the direction wi (world, unit); black below either
+/// horizon.
 inline Rgb reflected(const Vertex& vertex, const Vec3& wi) {
   if (dot(wi, vertex.ng) <= 0) return Rgb(0.0f);
   return eval_cos(*vertex.material, vertex.wo, vertex.shading.to_local(wi));
@@ -43,10 +53,13 @@ inline Rgb reflected(const Vertex& vertex, const Vec3& wi) {
 class DirectEstimate {
  public:
   /// With `uses_mis`, each direction gets the weight of the balance heuristic (Veach & Guibas 1995,
-  /// eq. 14) against BSDF sampling. `samples`, where given, receives every direction.
+  /// eq. 14) against BSDF sampling. `samples`, where given, receives every direction. Keeps a
+  /// reference to `query`.
   DirectEstimate(const DirectQuery& query, bool uses_mis, RayQueries& rays,
                  std::vector<LightSample>* samples = nullptr)
       : query_(query), uses_mis_(uses_mis), rays_(rays), samples_(samples) {}
+  DirectEstimate(const DirectQuery&& temporary, bool uses_mis, RayQueries& rays,
+                 std::vector<LightSample>* samples = nullptr) = delete;
 
   /// Adds the light of the point `q`, chosen with the density `pdf_w` per steradian as seen from
   /// the vertex, if a shadow ray finds it unoccluded. A method that adds n points gives each the
@@ -56,7 +69,7 @@ class DirectEstimate {
     if (!is_usable(pdf_w)) return;
     const Vec3 wi = normalize(q - query_.vertex.position);
     const Rgb f_cos = reflected(query_.vertex, wi);
-    if (is_black(f_cos) || rays_.occluded(query_.vertex, q, query_.light)) return;
+    if (!is_wanted(wi, f_cos) || rays_.occluded(query_.vertex, q, query_.light)) return;
     add(wi, f_cos, pdf_w, share);
   }
 
@@ -64,7 +77,9 @@ class DirectEstimate {
   /// `pdf_w` is the density per steradian without occluders; `share` is the visible fraction of
   /// what the direction stands for, in [0,1].
   void add_direction(const Vec3& wi, float pdf_w, float share) {
-    if (is_usable(pdf_w)) add(wi, reflected(query_.vertex, wi), pdf_w, share);
+    if (!is_usable(pdf_w)) return;
+    const Rgb f_cos = reflected(query_.vertex, wi);
+    if (is_wanted(wi, f_cos)) add(wi, f_cos, pdf_w, share);
   }
 
   /// Adds light in closed form: `irradiance` is the integral of V cos over the light's directions,
@@ -82,6 +97,12 @@ class DirectEstimate {
 
  private:
   static bool is_usable(float pdf_w) { return pdf_w > 0 && std::isfinite(pdf_w); }
+
+  // Whether light along wi counts: for the viewer of the vertex or, where the directions are
+  // recorded, for any viewer.
+  bool is_wanted(const Vec3& wi, const Rgb& f_cos) const {
+    return samples_ != nullptr ? is_above_horizons(query_.vertex, wi) : !is_black(f_cos);
+  }
 
   void add(const Vec3& wi, const Rgb& f_cos, float pdf_w, float share) {
     const Vertex& v = query_.vertex;

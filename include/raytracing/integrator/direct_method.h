@@ -29,7 +29,8 @@ struct DirectMethod {
   /// whose lights BSDF sampling then never counts.
   float (*pdf_w)(const AreaLight& light, const Vertex& from, const Vec3& q) = nullptr;
 
-  bool asks_segments = false;  ///< whether it asks RayQueries::visible_part()
+  /// Whether it asks RayQueries::visible_part(), which throws for a method that does not say so.
+  bool asks_segments = false;
 
   /// Whether a surface of this material shares its direct light between the method and BSDF
   /// sampling.
@@ -48,8 +49,9 @@ const DirectMethod& direct_method(std::string_view name);
 
 std::vector<std::string> direct_method_names();
 
-/// One whole estimate of the method: the radiance that the vertex reflects to its viewer, divided
-/// by query.light_pmf. `samples`, where given, receives the directions that it sums.
+/// One whole estimate of the method: the radiance of query.light that the vertex reflects to its
+/// viewer, over the probability of the light. `samples`, where given, receives the directions that
+/// it sums.
 Rgb estimate_direct(const DirectMethod& method, const DirectQuery& query, RayQueries& rays,
                     std::vector<LightSample>* samples = nullptr);
 

@@ -42,8 +42,8 @@ class PathTracer {
 /// (Bekaert, Sbert & Halton 2002). Each sample then has the same expectation, far less variance,
 /// and errors like those of its group; its log holds its first vertex, the light that its own
 /// bounce met, and each second vertex of the group that shines on it, with a black `throughput`
-/// and in `direct` all the light that comes by way of that vertex. `options` must outlive it.
-/// Sharing needs a max_depth of 2 or more: below, there is nothing to share.
+/// and in `direct` all the light that comes by way of that vertex. Sharing needs a max_depth of 2
+/// or more: below, there is nothing to share.
 std::unique_ptr<PathTracer> make_path_tracer(const Scene& scene, const PathOptions& options,
                                              bool shared);
 

@@ -29,9 +29,18 @@ struct RenderOptions {
   int tile_size = 16;
 };
 
-/// Whether samples share paths: not where there is nothing to share.
-inline bool shares_paths(const RenderOptions& options) {
-  return options.reuse > 1 && options.path.max_depth != 1u;
+/// Returns the edge of the groups of pixels that share paths: 1 also where there is nothing to
+/// share.
+inline int group_edge(const RenderOptions& options) {
+  return options.path.max_depth == 1u ? 1 : options.reuse;
+}
+
+/// Returns whether samples share paths.
+inline bool shares_paths(const RenderOptions& options) { return group_edge(options) > 1; }
+
+/// Returns whether the scene must be built with its occluder tree.
+inline bool needs_occluders(const RenderOptions& options) {
+  return options.path.method->asks_segments || shares_paths(options);
 }
 
 /// Sample number `sample` of the pixel (x, y); rows count from the top.
@@ -53,7 +62,9 @@ struct RenderResult {
   RayCounts rays;
   std::uint64_t paths = 0;
   std::uint64_t non_finite_samples = 0;
-  std::array<std::uint64_t, kNonFiniteCauses> non_finite_by_cause{};  ///< indexed by NonFiniteCause
+  /// Indexed by NonFiniteCause. All that are found at once in a group count with the cause of the
+  /// group's first one.
+  std::array<std::uint64_t, kNonFiniteCauses> non_finite_by_cause{};
   std::vector<NonFiniteSample> first_non_finite;  ///< a few of them, in order of (y, x, sample)
   int threads = 1;            ///< that worked; fewer than asked for when the system allows no more
   double render_seconds = 0;  ///< wall clock
@@ -67,7 +78,7 @@ using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t to
 
 /// Renders the picture by `options.threads` threads, or as many as can be started. The result does
 /// not depend on their number nor on the tile size. When `stop` becomes true, returns soon with
-/// what there is.
+/// what there is. Throws what a method or `progress` throws.
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                     const ProgressCallback& progress);
 

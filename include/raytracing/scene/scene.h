@@ -48,8 +48,7 @@ inline constexpr double kEvenLightShare = 0.1;
 class Scene {
  public:
   /// Builds the acceleration structures with `threads` >= 1 threads. Without `with_occluders`,
-  /// occluders() stays empty; renderings that neither query segments nor share paths save its
-  /// memory.
+  /// occluders() is not built; renderings that do not need it save its memory.
   Scene(SceneDescription description, int threads, bool with_occluders = true);
 
   const EmbreeScene& geometry() const { return geometry_; }
