@@ -25,7 +25,7 @@ class ProgressDisplay {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void show(double fraction, Clock::time_point now) const;
+  void show(double fraction, Clock::time_point now);
 
   ProgressStyle style_;
   Clock::time_point start_;

@@ -29,6 +29,11 @@ void keep_first(std::vector<NonFiniteSample>& named) {
   if (named.size() > kMaxNamedSamples) named.resize(kMaxNamedSamples);
 }
 
+NonFiniteCause cause_of(const Scene& scene, const RenderOptions& options,
+                        const SampleIndex& index) {
+  return non_finite_cause(trace_sample(scene, options, index).log);
+}
+
 // How the picture is cut into tiles, each of whole groups of pixels.
 struct TileGrid {
   int groups;         // tiles of groups along the edge of a tile
@@ -70,17 +75,14 @@ class RenderJob {
     const double start = thread_cpu_seconds();
     Worker worker(scene_, camera_, options_);
     const std::uint64_t tiles = passes_done_.size();
-    while (!stop_) {
+    while (!stop_ && !failed_) {
       const std::uint64_t ticket = next_++;
       if (ticket >= tiles * passes_) break;
       const std::uint64_t tile = ticket % tiles, pass = ticket / tiles;
       // The samples of a pixel are added in order: another thread may still be at the last pass. It
       // always ends it, since `stop_` is looked at only before taking a ticket.
       wait_for_pass(static_cast<int>(tile), pass);
-      render_tile(static_cast<int>(tile), pass, worker);
-      ++passes_done_[tile];
-      passes_done_[tile].notify_all();
-      report(worker);
+      finish_tile(static_cast<int>(tile), pass, worker);
     }
     add_to_result(worker, thread_cpu_seconds() - start);
   }
@@ -110,6 +112,24 @@ class RenderJob {
       }
   }
 
+  // Renders the tile. Where that fails, other threads must not wait for it for ever.
+  void finish_tile(int tile, std::uint64_t pass, Worker& worker) {
+    try {
+      render_tile(tile, pass, worker);
+      report(worker);
+    } catch (...) {
+      failed_ = true;
+      mark_done(tile);
+      throw;
+    }
+    mark_done(tile);
+  }
+
+  void mark_done(int tile) {
+    ++passes_done_[tile];
+    passes_done_[tile].notify_all();
+  }
+
   // All groups of the tile, all samples of the pass.
   void render_tile(int tile, std::uint64_t pass, Worker& worker) {
     const std::uint64_t first = pass * samples_per_pass_;
@@ -132,29 +152,26 @@ class RenderJob {
     worker.tracer.trace(groups, place, sample);
     const auto pixels = worker.tracer.pixels();
     worker.paths += pixels.size();
-    std::optional<NonFiniteCause> cause;  // of the group's last non-finite sample
+    std::optional<NonFiniteCause> cause;  // of the group's first non-finite sample
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       Rgb radiance = worker.tracer.radiance(k);
       if (!is_finite(radiance)) {
-        cause = count_non_finite({pixels[k].x, pixels[k].y, sample}, cause, worker);
+        count_non_finite({pixels[k].x, pixels[k].y, sample}, cause, worker);
         radiance = Rgb(0.0f);
       }
       result_.film.at(pixels[k].x, pixels[k].y).add(radiance, replicate_size_);
     }
   }
 
-  // The log of a group is that of one of its pixels, so that the sample is traced again. A path
-  // that overflows reaches all pixels that see it: of those, only the ones that will be named are
-  // traced again each; the others are counted with the cause of the one before.
-  NonFiniteCause count_non_finite(const SampleIndex& index, std::optional<NonFiniteCause> cause,
-                                  Worker& worker) {
-    const bool named =
-        worker.named.size() < kMaxNamedSamples || is_before({index, {}}, worker.named.back());
-    if (named || !cause) cause = non_finite_cause(trace_sample(scene_, options_, index).log);
+  // The log of a group is that of one of its pixels, so that the cause is found by tracing the
+  // sample again. A path that overflows reaches all pixels that see it: only the first of the group
+  // is traced again.
+  void count_non_finite(const SampleIndex& index, std::optional<NonFiniteCause>& cause,
+                        Worker& worker) {
+    if (!cause) cause = cause_of(scene_, options_, index);
     ++worker.non_finite[static_cast<std::size_t>(*cause)];
     worker.named.push_back({index, *cause});
     keep_first(worker.named);
-    return *cause;
   }
 
   void report(Worker& worker) {
@@ -190,6 +207,7 @@ class RenderJob {
   std::vector<std::atomic<std::uint64_t>> passes_done_;  // of each tile
   std::atomic<std::uint64_t> next_{0};
   std::atomic<std::uint64_t> done_{0};
+  std::atomic<bool> failed_{false};  // a thread has thrown
   std::mutex mutex_;
 };
 
@@ -206,6 +224,8 @@ RenderResult render(const Scene& scene, const RenderOptions& options, const std:
   result.complete =
       result.paths == options.spp * static_cast<std::uint64_t>(options.width) * options.height;
   keep_first(result.first_non_finite);
+  for (NonFiniteSample& sample : result.first_non_finite)
+    sample.cause = cause_of(scene, options, sample.index);
   return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <exception>
+#include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -27,9 +29,16 @@ double thread_cpu_seconds() {
 }
 
 int run_in_threads(int threads, const std::function<void()>& work) {
-  const auto share = [&work] {
+  std::mutex mutex;
+  std::exception_ptr first_exception;
+  const auto share = [&] {
     const FlushedDenormals flushed;
-    work();
+    try {
+      work();
+    } catch (...) {
+      const std::scoped_lock lock(mutex);
+      if (!first_exception) first_exception = std::current_exception();
+    }
   };
   std::vector<std::jthread> started;
   try {
@@ -37,7 +46,10 @@ int run_in_threads(int threads, const std::function<void()>& work) {
   } catch (const std::system_error&) {  // the system allows no more: fewer do as well
   }
   if (started.empty()) share();
-  return std::max(1, static_cast<int>(started.size()));
+  const int count = std::max(1, static_cast<int>(started.size()));
+  started.clear();  // joins them
+  if (first_exception) std::rethrow_exception(first_exception);
+  return count;
 }
 
 }  // namespace raytracing

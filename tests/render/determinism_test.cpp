@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "support/films.h"
 #include "support/scenes.h"
 
@@ -169,6 +171,23 @@ TEST(Determinism, ARenderStoppedBeforeItStartsIsEmpty) {
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.paths, 0u);
   EXPECT_EQ(result.film.mean(), DVec3(0.0));
+}
+
+// Other threads wait for the passes of a tile before; they must not wait for one that never ends.
+TEST(Determinism, AMethodThatThrowsEndsTheRender) {
+  DirectMethod method = direct_methods()[0];
+  method.estimate = [](const DirectQuery& query, RayQueries&, DirectEstimate&) {
+    if (query.u.x > 0.99f) throw std::runtime_error("no estimate");
+  };
+  const Scene scene = room();
+  RenderOptions options = options_of(SamplerKind::sobol);
+  options.path.method = &method;
+  for (const int reuse : {1, 16})
+    for (const int threads : {1, 4}) {
+      options.reuse = reuse;
+      options.threads = threads;
+      EXPECT_THROW(render_all(scene, options), std::runtime_error);
+    }
 }
 
 TEST(Progress, NeverFallsBackAndEndsAtTheTotal) {

@@ -134,5 +134,32 @@ TEST(Reuse, ARenderStoppedEarlyHoldsWholeSamples) {
   EXPECT_EQ(paths, part.paths);
 }
 
+// A path that overflows reaches many pixels of its group.
+TEST(Reuse, CausesOfNonFiniteSamplesDependNeitherOnThreadsNorOnTiles) {
+  SceneMaker maker;
+  maker.description.meshes.push_back(
+      inward_box(1, maker.add_surface(GgxConductor{Rgb(0.9f), 0.3f})));
+  const auto light = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(3e38f, 1e37f, 1));
+  maker.add_polygon(parallelogram({0, 0.95f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}), light);
+  maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 70};
+  const Scene scene = maker.build();
+  for (const int reuse : {1, 16}) {
+    RenderOptions options = options_of(reuse);
+    const RenderResult first = render_all(scene, options);
+    ASSERT_GT(first.non_finite_samples, 8u);
+    for (const auto& [threads, tile_size] : {std::pair{2, 16}, {5, 3}, {5, 33}}) {
+      options.threads = threads;
+      options.tile_size = tile_size;
+      const RenderResult other = render_all(scene, options);
+      EXPECT_EQ(other.non_finite_by_cause, first.non_finite_by_cause);
+      ASSERT_EQ(other.first_non_finite.size(), 8u);
+      for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(other.first_non_finite[i].cause, first.first_non_finite[i].cause);
+        EXPECT_EQ(other.first_non_finite[i].index.sample, first.first_non_finite[i].index.sample);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raytracing

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <thread>
 
 namespace raytracing {
@@ -27,6 +29,20 @@ TEST(Threads, NoneMeansThisOne) {
   std::thread::id id;
   EXPECT_EQ(run_in_threads(0, [&] { id = std::this_thread::get_id(); }), 1);
   EXPECT_EQ(id, std::this_thread::get_id());
+}
+
+// An exception reaches the caller when all threads are done, from the caller's own thread too.
+TEST(Threads, ExceptionsReachTheCaller) {
+  for (const int threads : {0, 3}) {
+    std::atomic<int> done = 0;
+    EXPECT_THROW(run_in_threads(threads,
+                                [&] {
+                                  ++done;
+                                  throw std::runtime_error("one of them");
+                                }),
+                 std::runtime_error);
+    EXPECT_EQ(done, std::max(1, threads));
+  }
 }
 
 #if defined(__SSE__)
