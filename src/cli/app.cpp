@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "options.h"
 #include "raytracing/io/errors.h"
+#include "terminal.h"
 
 namespace raytracing {
 namespace {
@@ -25,19 +26,23 @@ int run_command(const Invocation& invocation) {
   }
 }
 
-int fail(int code, const std::string& message) {
-  fmt::print(stderr, "Raytracing: {}\n", one_line(message));
+int fail(int code, const char* message) noexcept {
+  try {
+    print_message("Raytracing: {}\n", one_line(message));
+  } catch (const std::bad_alloc&) {
+    std::fputs("Raytracing: not enough memory\n", stderr);
+  }
   return code;
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
-  if (!is_optimised())
-    fmt::print(stderr,
-               "Raytracing: WARNING: this build is not optimised and many times slower; configure "
-               "with cmake --preset release\n");
   try {
+    if (!is_optimised())
+      print_message(
+          "Raytracing: WARNING: this build is not optimised and many times slower; configure with "
+          "cmake --preset release\n");
     const Invocation invocation(argc, argv);
     const int code = run_command(invocation);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw OutputError(kStdoutFailed);

@@ -105,11 +105,9 @@ class ChartDisplay : public ChartListener {
   explicit ChartDisplay(const ChartArguments& a) : a_(a) {}
 
   void note(const std::string& line) override {
-    if (!a_.quiet) fmt::print(stderr, "{}\n", line);
+    if (!a_.quiet) print_message("{}\n", line);
   }
-  void warn(const std::string& line) override {
-    fmt::print(stderr, "warning: {}\n", one_line(line));
-  }
+  void warn(const std::string& line) override { print_message("warning: {}\n", one_line(line)); }
   void file_written(const std::string& name) override {
     if (!a_.quiet) fmt::print("{}/{}\n", a_.request.settings.folder, name);
   }
@@ -126,10 +124,10 @@ class ChartDisplay : public ChartListener {
 
 int exit_code(ChartEnd end, int signal) {
   if (end == ChartEnd::complete) return kExitGood;
-  fmt::print(stderr, "stopped: {}\n",
-             end == ChartEnd::stopped_in_runs
-                 ? "finished runs are kept; repeat the command to continue"
-                 : "the reference is incomplete; repeat the command to render it anew");
+  print_message("stopped: {}\n",
+                end == ChartEnd::stopped_in_runs
+                    ? "finished runs are kept; repeat the command to continue"
+                    : "the reference is incomplete; repeat the command to render it anew");
   return kExitSignalBase + signal;
 }
 

@@ -218,11 +218,11 @@ class Output {
 bool within_limit(const ErrorMetrics& m, const std::optional<double>& limit) {
   if (!limit) return true;
   if (m.non_finite_test > 0) {
-    fmt::print(stderr, "Raytracing: {} pixels are not finite\n", m.non_finite_test);
+    print_message("Raytracing: {} pixels are not finite\n", m.non_finite_test);
     return false;
   }
   if (m.relmse <= *limit) return true;
-  fmt::print(stderr, "Raytracing: relMSE {:.6g} exceeds --max-relmse {}\n", m.relmse, *limit);
+  print_message("Raytracing: relMSE {:.6g} exceeds --max-relmse {}\n", m.relmse, *limit);
   return false;
 }
 
@@ -248,7 +248,7 @@ int compare_command(const Arguments& arguments) {
     z_bytes = encode_image(z_score_picture(test, reference), ImageFormat::exr);
   Output diff(a.diff), z_scores(a.z_scores), json(a.json);
   for (const std::string& note : header_notes(test, a.test, reference, a.reference))
-    fmt::print(stderr, "{}\n", one_line(note));
+    print_message("{}\n", one_line(note));
   fmt::print("{}", comparison_text(comparison));
   if (diff) diff.write(encode_image(error_picture(test, reference, mask), image_format(a.diff)));
   if (z_scores) z_scores.write(z_bytes);

@@ -67,7 +67,7 @@ class Outputs {
       return image_format(name) == ImageFormat::exr;
     };
     if (a.variance && std::none_of(names.begin(), names.end(), is_exr))
-      fmt::print(stderr, "warning: --variance has no effect: no output is an .exr file\n");
+      print_message("warning: --variance has no effect: no output is an .exr file\n");
   }
 
   void write(const Film& film, const RunFacts& facts, bool quiet) {
@@ -91,21 +91,22 @@ class Outputs {
 void print_summary(const RenderOptions& o, const RenderResult& r, bool quiet) {
   const DirectMethod& method = *o.path.method;
   if (!quiet)
-    fmt::print(stderr, "{}x{} pixels, {} spp, {}{}, {}: {:.2f} s, {:.2f} million paths/s\n",
-               o.width, o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
-               counted(r.threads, "thread"), r.render_seconds,
-               1e-6 * static_cast<double>(r.paths) / r.render_seconds);
+    print_message("{}x{} pixels, {} spp, {}{}, {}: {:.2f} s, {:.2f} million paths/s\n", o.width,
+                  o.height, o.spp, method.name, method.unbiased ? "" : " (biased)",
+                  counted(r.threads, "thread"), r.render_seconds,
+                  1e-6 * static_cast<double>(r.paths) / r.render_seconds);
   if (r.threads < o.threads)
-    fmt::print(stderr, "warning: the system allows only {} of {} threads\n", r.threads, o.threads);
+    print_message("warning: the system allows only {} of {} threads\n", r.threads, o.threads);
   for (const NonFiniteSample& s : r.first_non_finite)
-    fmt::print(stderr, "non-finite sample ({}): add --replay {},{},{} to trace it again\n",
-               to_string(s.cause), s.index.x, s.index.y, s.index.sample);
+    print_message("non-finite sample ({}): add --replay {},{},{} to trace it again\n",
+                  to_string(s.cause), s.index.x, s.index.y, s.index.sample);
   if (r.non_finite_samples > 0)
-    fmt::print(stderr, "warning: {} of {} samples were not finite and count as black\n",
-               r.non_finite_samples, r.paths);
+    print_message("warning: {} of {} samples were not finite and count as black\n",
+                  r.non_finite_samples, r.paths);
   if (!r.complete)
-    fmt::print(stderr, "stopped early: {} of {} samples taken; the image is incomplete\n", r.paths,
-               o.spp * static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height));
+    print_message(
+        "stopped early: {} of {} samples taken; the image is incomplete\n", r.paths,
+        o.spp * static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height));
 }
 
 template <class V>
@@ -113,7 +114,8 @@ std::string to_text(const V& v) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
 }
 
-// The vertices of one sample and what each contributes. `origin` was subtracted from all positions.
+// Describes the vertices of one sample and what each contributes. Positions are those of the scene
+// file, from which `origin` was subtracted.
 std::string replay_text(const Scene& scene, const RenderOptions& options,
                         const RenderArguments::Replay& replay, const Vec3& origin) {
   if (replay.x >= options.width || replay.y >= options.height || replay.sample >= options.spp)
@@ -168,7 +170,7 @@ int render_command(const Arguments& arguments) {
       render(scene, options, signals.stop(),
              [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
   if (result.paths == 0) {  // nothing to keep, and an older image is better than a black one
-    fmt::print(stderr, "stopped before the first sample: nothing written\n");
+    print_message("stopped before the first sample: nothing written\n");
     return kExitSignalBase + signals.signal();
   }
   RunFacts facts = program_facts();
@@ -183,7 +185,8 @@ int render_command(const Arguments& arguments) {
   outputs->write(result.film, facts, a.quiet);
   display.finish(result.complete);
   print_summary(options, result, a.quiet);
-  if (signals.signal() != 0) return kExitSignalBase + signals.signal();
+  // A signal that came after the last sample has not stopped anything.
+  if (!result.complete) return kExitSignalBase + signals.signal();
   return a.strict && result.non_finite_samples > 0 ? kExitCheckFailed : kExitGood;
 }
 

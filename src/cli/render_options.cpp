@@ -155,6 +155,8 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
         fmt::format("--replicates: {} does not divide {} samples per pixel", o.replicates, o.spp));
   o.reuse = a.reuse;
   o.path.method = a.method ? a.method : find_direct_method(scene.light_sampling);
+  if (!o.path.method)  // the default of scene files is no longer in the table of methods
+    throw UsageError("--light-sampling: there is no method " + scene.light_sampling);
   o.path.max_depth = a.max_depth;
   o.path.line_rays = a.line_rays;
   o.sampler = a.sampler;

@@ -38,7 +38,7 @@ fs::path scene_folder() {
   return folder.parent_path() / (is_build_tree ? "scenes" : "share/raytracing/scenes");
 }
 
-// What happened, to what first, and how often.
+// Says what happened, to what first, and how often.
 std::string to_text(const LoadReport::Entry& e) {
   std::string what = e.name.empty() ? e.kind : e.kind + ": " + e.name;
   if (e.count == 1) return what;
@@ -53,10 +53,10 @@ Vec3 move_to_origin(SceneDescription& scene) {
   constexpr float kTolerableRounding = 1e-4f;
   const Recentering place = find_recentering(scene);
   if (place.rounding > kTolerableRounding)
-    fmt::print(stderr,
-               "warning: the scene lies so far from the origin that its coordinates are rounded to "
-               "{:.1g} of half its size; move it closer to the origin\n",
-               place.rounding);
+    print_message(
+        "warning: the scene lies so far from the origin that its coordinates are rounded to "
+        "{:.1g} of half its size; move it closer to the origin\n",
+        place.rounding);
   recenter(scene, place.origin);
   return place.origin;
 }
@@ -68,10 +68,10 @@ void warn_of_narrow_pixels(const CameraDescription& camera, int height) {
   constexpr float kRounding = 0x1p-24f;
   const float pixel = 2 * std::tan(camera.vertical_fov * (kPi / 360)) / static_cast<float>(height);
   if (pixel < 8 * kRounding)
-    fmt::print(stderr,
-               "warning: a pixel is {:.1g} rad wide and ray directions are rounded to {:.1g}: "
-               "shapes will be distorted; move the camera closer\n",
-               pixel, kRounding);
+    print_message(
+        "warning: a pixel is {:.1g} rad wide and ray directions are rounded to {:.1g}: "
+        "shapes will be distorted; move the camera closer\n",
+        pixel, kRounding);
 }
 
 }  // namespace
@@ -114,16 +114,15 @@ const Scene& SceneInput::build(int image_height, int threads, bool with_occluder
 void SceneInput::report_loading(const std::string& path, const LoadReport& report) const {
   for (const LoadReport::Entry& e : report.entries()) {
     if (quiet_ && e.severity == LoadReport::Severity::ignored) continue;
-    fmt::print(
-        stderr, "{}\n",
-        one_line(fmt::format("{}: {}: {}", to_string(e.first), to_string(e.severity), to_text(e))));
+    print_message("{}\n", one_line(fmt::format("{}: {}: {}", to_string(e.first),
+                                               to_string(e.severity), to_text(e))));
   }
   const std::uint64_t repaired = report.count(LoadReport::Severity::repaired);
   const std::uint64_t dropped = report.count(LoadReport::Severity::dropped);
   if (!quiet_)
-    fmt::print(stderr, "{}: {} read; records repaired: {}, dropped: {}, ignored: {}\n",
-               one_line(path), counted(file_.assets.size() + 1, "file"), repaired, dropped,
-               report.count(LoadReport::Severity::ignored));
+    print_message("{}: {} read; records repaired: {}, dropped: {}, ignored: {}\n", one_line(path),
+                  counted(file_.assets.size() + 1, "file"), repaired, dropped,
+                  report.count(LoadReport::Severity::ignored));
   if (strict_ && repaired + dropped > 0)
     throw InputError(fmt::format("--strict: records repaired: {}, dropped: {}", repaired, dropped));
 }
@@ -132,21 +131,21 @@ void SceneInput::report_building() const {
   const BuildNotes& notes = scene_->notes();
   const std::size_t lights = scene_->lights().size();
   if (!quiet_)
-    fmt::print(stderr, "{}, {}, {}\n", counted(scene_->geometry().triangles().size(), "triangle"),
-               counted(scene_->geometry().spheres().size(), "sphere"), counted(lights, "light"));
-  if (lights == 0) fmt::print(stderr, "warning: the scene has no light; the image will be black\n");
+    print_message("{}, {}, {}\n", counted(scene_->geometry().triangles().size(), "triangle"),
+                  counted(scene_->geometry().spheres().size(), "sphere"), counted(lights, "light"));
+  if (lights == 0) print_message("warning: the scene has no light; the image will be black\n");
   if (notes.lights_facing_nothing > 0)
-    fmt::print(stderr,
-               "warning: lights that face away from everything: {} of {}; a light emits to the "
-               "side from which its vertices appear counter-clockwise\n",
-               notes.lights_facing_nothing, lights);
+    print_message(
+        "warning: lights that face away from everything: {} of {}; a light emits to the "
+        "side from which its vertices appear counter-clockwise\n",
+        notes.lights_facing_nothing, lights);
   if (notes.split_lights > 0)
-    fmt::print(stderr,
-               "repaired: emitting faces that are not flat and convex: {}; each of their triangles "
-               "becomes a light\n",
-               notes.split_lights);
+    print_message(
+        "repaired: emitting faces that are not flat and convex: {}; each of their triangles "
+        "becomes a light\n",
+        notes.split_lights);
   if (notes.zero_area_lights > 0)
-    fmt::print(stderr, "dropped: emitting triangles without area: {}\n", notes.zero_area_lights);
+    print_message("dropped: emitting triangles without area: {}\n", notes.zero_area_lights);
   if (strict_ && notes.split_lights + notes.zero_area_lights > 0)
     throw InputError("--strict: emitting faces were repaired or dropped");
 }

@@ -108,9 +108,9 @@ std::vector<std::string> with_extensions(const std::vector<std::string>& plots) 
 // Draws the heat maps and returns their files; none if gnuplot is missing.
 std::vector<std::string> draw(const StressResult& result, const ResultFolder& folder) {
   if (!run_gnuplot(folder.path(), "stress.gp")) {
-    fmt::print(stderr,
-               "warning: no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); "
-               "with it, run gnuplot stress.gp in the folder\n");
+    print_message(
+        "warning: no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); "
+        "with it, run gnuplot stress.gp in the folder\n");
     return {};
   }
   std::vector<std::string> drawn = with_extensions(stress_pictures(result));
@@ -126,8 +126,8 @@ void warn_of_old_plots(const std::vector<std::string>& drawn, const ResultFolder
         std::filesystem::exists(folder.path() + "/" + name))
       old.push_back(name);
   if (!old.empty())
-    fmt::print(stderr, "warning: {}: left by an earlier run: {}\n", one_line(folder.path()),
-               fmt::join(old, ", "));
+    print_message("warning: {}: left by an earlier run: {}\n", one_line(folder.path()),
+                  fmt::join(old, ", "));
 }
 
 void write_results(const StressResult& result, const StressPlan& plan, const ResultFolder& folder,
@@ -147,19 +147,18 @@ void write_results(const StressResult& result, const StressPlan& plan, const Res
 }
 
 void print_verdicts(const StressResult& result) {
-  for (const std::string& line : stress_verdicts(result)) fmt::print(stderr, "{}\n", line);
-  fmt::print(stderr, "{}\n", stress_rule(result.critical_z));
+  for (const std::string& line : stress_verdicts(result)) print_message("{}\n", line);
+  print_message("{}\n", stress_rule(result.critical_z));
 }
 
 // Prints a line for each measurement that fails the run.
 int exit_code(const StressResult& result) {
   for (const StressCell* c : result.failures())
-    fmt::print(stderr,
-               "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}; {} samples not finite "
-               "or negative\n",
-               c->stress_case->name, c->setting->label, c->method->name, to_string(c->verdict),
-               100 * c->relative_bias(), 100 * c->relative(c->standard_error), c->z(),
-               c->not_finite);
+    print_message(
+        "FAILED: {} {}, {}: {}: bias {:+.3g} % ± {:.2g} %, z {:.1f}; {} samples not finite "
+        "or negative\n",
+        c->stress_case->name, c->setting->label, c->method->name, to_string(c->verdict),
+        100 * c->relative_bias(), 100 * c->relative(c->standard_error), c->z(), c->not_finite);
   return result.failures().empty() ? kExitGood : kExitCheckFailed;
 }
 
@@ -175,7 +174,7 @@ int stress_command(const Arguments& arguments) {
                  [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
   display.finish(result.complete);
   if (!result.complete) {
-    fmt::print(stderr, "stopped: nothing written\n");
+    print_message("stopped: nothing written\n");
     return kExitSignalBase + signals.signal();
   }
   write_results(result, a.plan, folder, arguments.command_line);

@@ -70,27 +70,24 @@ void ProgressDisplay::update(std::uint64_t done, std::uint64_t total) {
   show(fraction_, now);
 }
 
-void ProgressDisplay::show(double fraction, Clock::time_point now) {
+void ProgressDisplay::show(double fraction, Clock::time_point now) const {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double left = fraction > 0 ? seconds * (1 - fraction) / fraction : 0;
-  std::string text;
   if (style_ == ProgressStyle::jsonl) {
-    text = fmt::format("{{\"progress\":{:.4f},\"seconds\":{:.2f},\"seconds_left\":{:.2f}}}\n",
-                       fraction, seconds, left);
+    print_message("{{\"progress\":{:.4f},\"seconds\":{:.2f},\"seconds_left\":{:.2f}}}\n", fraction,
+                  seconds, left);
   } else {
     const int full = static_cast<int>(fraction * kBarWidth);
-    text = fmt::format("\r[{}{}] {:3.0f} % {:.1f} s, {:.1f} s left   ", std::string(full, '#'),
-                       std::string(kBarWidth - full, '.'), 100 * fraction, seconds, left);
+    print_message("\r[{}{}] {:3.0f} % {:.1f} s, {:.1f} s left   ", std::string(full, '#'),
+                  std::string(kBarWidth - full, '.'), 100 * fraction, seconds, left);
   }
-  // A display that cannot be written ends; the run does not.
-  if (std::fputs(text.c_str(), stderr) == EOF || std::fflush(stderr) == EOF)
-    style_ = ProgressStyle::none;
+  std::fflush(stderr);
 }
 
 void ProgressDisplay::finish(bool complete) {
   if (style_ == ProgressStyle::none) return;
   show(complete ? 1 : fraction_, Clock::now());
-  if (style_ == ProgressStyle::bar) std::fputc('\n', stderr);
+  if (style_ == ProgressStyle::bar) print_message("\n");
 }
 
 StopOnSignal::StopOnSignal() {

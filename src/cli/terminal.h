@@ -1,12 +1,23 @@
 #pragma once
 // What connects a run with the terminal: text, progress on stderr, and signals.
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 namespace raytracing {
+
+/// Prints to stderr. A stderr that is closed or full is no reason to end a run: the text is lost.
+template <class... Values>
+void print_message(fmt::format_string<Values...> format, Values&&... values) {
+  const std::string text = fmt::format(format, std::forward<Values>(values)...);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
 
 /// "1 light", "2 lights"
 std::string counted(std::uint64_t number, const std::string& noun);
@@ -25,7 +36,7 @@ class ProgressDisplay {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void show(double fraction, Clock::time_point now);
+  void show(double fraction, Clock::time_point now) const;
 
   ProgressStyle style_;
   Clock::time_point start_;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "group_tracer.h"
 #include "raytracing/render/pixel_groups.h"
 #include "raytracing/render/render.h"
 
@@ -111,7 +112,7 @@ std::string pixel_correlation(const RenderOptions& options) {
   return fmt::format(
       "errors of pixels less than {} apart are correlated: means over regions vary more than the "
       "variances of their pixels say",
-      PixelGroups::tile_edge(options.reuse));
+      PixelGroups::tile_edge(group_edge(options)));
 }
 
 }  // namespace
@@ -210,7 +211,7 @@ void add_options(RunFacts& facts, const RenderOptions& options) {
   facts.sampler = to_string(options.sampler);
   facts.spp = options.spp;
   facts.replicates = options.replicates;
-  facts.reuse = options.reuse;
+  facts.reuse = group_edge(options);
   facts.seed = options.seed;
   facts.threads = options.threads;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <tuple>
 
 #include "group_tracer.h"
@@ -215,6 +216,8 @@ class RenderJob {
 
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                     const ProgressCallback& progress) {
+  if (!options.path.method) throw std::invalid_argument("render: no method of direct light");
+  if (options.tile_size < 1) throw std::invalid_argument("render: the tile size must be positive");
   RenderResult result(Film(options.width, options.height));
   const auto start = std::chrono::steady_clock::now();
   RenderJob job(scene, options, stop, progress, result);

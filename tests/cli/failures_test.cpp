@@ -51,16 +51,9 @@ TEST(BadInput, ABrokenSceneIsReportedWithItsLocation) {
             (Names{"broken.obj", "key.toml", "missing.toml", "model.toml", "syntax.toml"}));
 }
 
-// The radiance is near the largest float, and overflows when reflected radiance is added to it.
 TEST(NonFiniteSamples, AreCountedNamedAndWithStrictAnError) {
   const CliFolder folder;
-  folder.folder.write("s.toml",
-                      "[film]\nwidth = 4\nheight = 4\n[camera]\norigin = [0,0,2]\n"
-                      "target = [0,0,0]\n[materials.sun]\ntype = 'diffuse'\nreflectance = 1\n"
-                      "emission = 3e38\n[[models]]\nobj = 'm.obj'\nmaterial = 'sun'\n");
-  folder.folder.write("m.obj",
-                      "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
-                      "v -1 1 1\nf 1 2 3 4\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
+  folder.write_overflowing_scene();
   for (const std::string reuse : {"1", "16"}) {
     const std::vector<std::string> lax = {"s.toml", "--spp",   "4",  "--stats",
                                           "s.json", "--reuse", reuse};
@@ -140,6 +133,25 @@ TEST(BadOutput, NeverReplacesAnInputOrAnotherOutput) {
                     outputs.back() + ": would be overwritten: it is named twice");
   }
   EXPECT_EQ(folder.names(), before);
+}
+
+// Messages are lost then, but neither exit codes nor pictures.
+TEST(BadOutput, AStderrThatIsClosedOrFull) {
+  for (const std::string target : {"/dev/full", "&-"}) {
+    const CliFolder folder;
+    RunOptions options;
+    options.folder = folder.folder.path();
+    const auto run = [&](const std::string& arguments) {
+      const std::string program = RAYTRACING_PROGRAM;
+      return run_any({"/bin/sh", "-c", program + " " + arguments + " 2>" + target}, options);
+    };
+    EXPECT_EQ(run("--spp x").exit_code, 2) << target;
+    EXPECT_EQ(run("./nope.toml").exit_code, 3) << target;
+    EXPECT_EQ(run(kCornell + " -o nope/x.png").exit_code, 4) << target;
+    EXPECT_EQ(run(kCornell + " --spp 1 --width 4 --height 4 --progress bar -o x.exr").exit_code, 0)
+        << target;
+    EXPECT_EQ(folder.names(), Names{"x.exr"}) << target;
+  }
 }
 
 TEST(BadOutput, LineBreaksInNamesDoNotBreakTheMessage) {

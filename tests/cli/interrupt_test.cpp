@@ -112,6 +112,23 @@ TEST(Interrupt, SignalsWhileWritingLeaveWholePictures) {
   }
 }
 
+// The PNG file takes so long to encode that the signal arrives before the program ends.
+TEST(Interrupt, ASignalAfterTheLastSampleKeepsTheResult) {
+  const CliFolder folder;
+  folder.write_overflowing_scene();
+  RunOptions options;
+  options.folder = folder.folder.path();
+  const RunResult run =
+      run_any({"/bin/sh", "-c",
+               std::string(RAYTRACING_PROGRAM) +
+                   " s.toml --strict --quiet --spp 1 --reuse 1 --width 1500 --height 1500 -o x.exr "
+                   "-o x.png & while ! test -e x.exr; do sleep .01; done; kill -TERM $!; wait $!"},
+              options);
+  EXPECT_EQ(run.exit_code, 1) << run.err;  // the one of --strict
+  EXPECT_NE(run.err.find(" samples were not finite"), std::string::npos) << run.err;
+  EXPECT_EQ(read_with_oiio(folder.folder / "x.png").attribute("complete"), "true");
+}
+
 TEST(Interrupt, ACompletePictureSaysSo) {
   const CliFolder folder;
   ASSERT_EQ(folder.render({"-o", "x.exr", "--stats", "x.json"}).exit_code, 0);

@@ -190,6 +190,16 @@ TEST(Determinism, AMethodThatThrowsEndsTheRender) {
     }
 }
 
+TEST(RenderOptions, AreChecked) {
+  const Scene scene = room();
+  RenderOptions options = options_of(SamplerKind::sobol);
+  options.tile_size = 0;
+  EXPECT_THROW(render_all(scene, options), std::invalid_argument);
+  options = options_of(SamplerKind::sobol);
+  options.path.method = nullptr;
+  EXPECT_THROW(render_all(scene, options), std::invalid_argument);
+}
+
 TEST(Progress, NeverFallsBackAndEndsAtTheTotal) {
   const Scene scene = room();
   RenderOptions options = options_of(SamplerKind::sobol);

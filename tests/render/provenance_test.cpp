@@ -110,6 +110,21 @@ TEST(RunFacts, UnlimitedDepthIsAWord) {
 }
 
 // A rendering sets all facts except those that the command line and the loader add.
+TEST(RunFacts, ReuseIsThatOfTheRendering) {
+  RenderOptions options;
+  options.path.method = &direct_methods().front();
+  RunFacts facts;
+  for (const int edge : {1, 4, 16}) {
+    options.reuse = edge;
+    options.path.max_depth.reset();
+    add_options(facts, options);
+    EXPECT_EQ(facts.reuse, edge);
+    options.path.max_depth = 1;  // paths end where they would be shared
+    add_options(facts, options);
+    EXPECT_EQ(facts.reuse, 1);
+  }
+}
+
 TEST(RunFacts, OfARenderingAreAllThere) {
   RenderOptions options;
   options.width = options.height = 1;

@@ -42,6 +42,18 @@ class CliFolder {
     return run(arguments);
   }
 
+  /// Writes a scene, s.toml, in which samples are not finite: the radiance of a light is near the
+  /// largest float, and overflows when reflected radiance is added to it.
+  void write_overflowing_scene() const {
+    folder.write("s.toml",
+                 "[film]\nwidth = 4\nheight = 4\n[camera]\norigin = [0,0,2]\n"
+                 "target = [0,0,0]\n[materials.sun]\ntype = 'diffuse'\nreflectance = 1\n"
+                 "emission = 3e38\n[[models]]\nobj = 'm.obj'\nmaterial = 'sun'\n");
+    folder.write("m.obj",
+                 "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
+                 "v -1 1 1\nf 1 2 3 4\nf 5 6 2 1\nf 6 7 3 2\nf 7 8 4 3\nf 8 5 1 4\n");
+  }
+
   /// Names of what lies here, hidden files too, sorted.
   std::vector<std::string> names() const {
     std::vector<std::string> result;

@@ -78,7 +78,8 @@ using ProgressCallback = std::function<void(std::uint64_t done, std::uint64_t to
 
 /// Renders the picture by `options.threads` threads, or as many as can be started. The result does
 /// not depend on their number nor on the tile size. When `stop` becomes true, returns soon with
-/// what there is. Throws what a method or `progress` throws.
+/// what there is. Throws what a method or `progress` throws, and std::invalid_argument for options
+/// without a method or with a tile size below 1.
 RenderResult render(const Scene& scene, const RenderOptions& options, const std::atomic<bool>& stop,
                     const ProgressCallback& progress);
 
