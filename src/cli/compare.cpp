@@ -16,7 +16,6 @@
 #include "raytracing/io/image.h"
 #include "raytracing/render/provenance.h"
 #include "raytracing/study/metrics/error_metrics.h"
-#include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
 #include "raytracing/study/metrics/z_scores.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "build_info.h"
@@ -18,38 +17,6 @@
 
 namespace raytracing {
 namespace {
-
-// A single sample or replicate gives no estimate of the variance: no finite value would be honest.
-DVec3 variance_layer(const Film::Pixel& pixel) {
-  if (pixel.replicates < 2) return DVec3(std::numeric_limits<double>::infinity());
-  return pixel.variance_of_mean();
-}
-
-// The film with the facts of its run as header. With `variance`, the layers variance.R/G/B hold the
-// variance of the pixel means.
-ImageData to_image(const Film& film, RunFacts facts, bool variance) {
-  ImageData image;
-  image.width = film.width();
-  image.height = film.height();
-  image.channels = {"R", "G", "B"};
-  if (variance)
-    image.channels.insert(image.channels.end(), {"variance.R", "variance.G", "variance.B"});
-  image.values.reserve(image.channels.size() * film.width() * film.height());
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      const auto append = [&](const DVec3& v) {
-        for (double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
-      };
-      append(film.at(x, y).mean());
-      if (variance) append(variance_layer(film.at(x, y)));
-    }
-  if (!variance) {  // there are no layers that these facts could describe
-    facts.variance_kind.reset();
-    facts.pixel_correlation.reset();
-  }
-  image.metadata = named_values(facts);
-  return image;
-}
 
 // All files that the run will write, created before any work is done.
 class Outputs {

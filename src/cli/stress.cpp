@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "build_info.h"
@@ -14,7 +13,7 @@
 #include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/study/page/gnuplot.h"
+#include "raytracing/study/page/result_folder.h"
 #include "raytracing/study/stress/report.h"
 #include "raytracing/study/stress/run.h"
 
@@ -72,56 +71,20 @@ StressArguments parse_stress_arguments(const Arguments& arguments) {
   return a;
 }
 
-/// The folder of the results.
-class ResultFolder {
- public:
-  explicit ResultFolder(const StressArguments& a) : path_(a.folder), quiet_(a.quiet) {
-    std::error_code error;
-    std::filesystem::create_directories(path_, error);
-    if (error) throw OutputError(path_ + ": " + error.message());
-    const OutputFile probe(path_ + "/stress.csv");  // before the work, not after it
-  }
-
-  const std::string& path() const { return path_; }
-  void write(const std::string& name, const std::string& bytes) const {
-    OutputFile file(path_ + "/" + name);
-    file.write(bytes);
-    file.commit();
-    print_path(name);
-  }
-  void print_path(const std::string& name) const {
-    if (!quiet_) fmt::print("{}/{}\n", path_, name);
-  }
-
- private:
-  std::string path_;
-  bool quiet_;
-};
-
-std::vector<std::string> with_extensions(const std::vector<std::string>& plots) {
-  std::vector<std::string> files;
-  for (const std::string& plot : plots)
-    for (const char* extension : {".svg", ".png"}) files.push_back(plot + extension);
-  return files;
-}
-
 // Draws the heat maps and returns their files; none if gnuplot is missing.
 std::vector<std::string> draw(const StressResult& result, const ResultFolder& folder) {
-  if (!run_gnuplot(folder.path(), "stress.gp")) {
-    print_message(
-        "warning: no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); "
-        "with it, run gnuplot stress.gp in the folder\n");
-    return {};
-  }
-  std::vector<std::string> drawn = with_extensions(stress_pictures(result));
-  for (const std::string& name : drawn) folder.print_path(name);
-  return drawn;
+  std::vector<std::string> files = picture_files(stress_pictures(result));
+  if (folder.draw("stress.gp", files)) return files;
+  print_message(
+      "warning: no heat maps drawn: gnuplot is missing (Debian: gnuplot-nox); with it, run gnuplot "
+      "stress.gp in the folder\n");
+  return {};
 }
 
 // Names the heat maps that an earlier run left in the folder, from other cases or with gnuplot.
 void warn_of_old_plots(const std::vector<std::string>& drawn, const ResultFolder& folder) {
   std::vector<std::string> old;
-  for (const std::string& name : with_extensions(all_stress_pictures()))
+  for (const std::string& name : picture_files(all_stress_pictures()))
     if (std::find(drawn.begin(), drawn.end(), name) == drawn.end() &&
         std::filesystem::exists(folder.path() + "/" + name))
       old.push_back(name);
@@ -167,7 +130,10 @@ int exit_code(const StressResult& result) {
 int stress_command(const Arguments& arguments) {
   const StressArguments a = parse_stress_arguments(arguments);
   const StopOnSignal signals;  // before there are temporary files to leave behind
-  const ResultFolder folder(a);
+  const ResultFolder folder(a.folder, [&a](const std::string& name) {
+    if (!a.quiet) fmt::print("{}/{}\n", a.folder, name);
+  });
+  { const OutputFile probe(a.folder + "/stress.csv"); }  // found unwritable before the work
   ProgressDisplay display(a.shown_progress());
   const StressResult result =
       run_stress(a.plan, signals.stop(),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <string_view>
 
@@ -47,6 +48,34 @@ ImageData decode(const std::string& bytes) {
 }
 
 }  // namespace
+
+ImageData to_image(const Film& film, RunFacts facts, bool variance) {
+  ImageData image;
+  image.width = film.width();
+  image.height = film.height();
+  image.channels = {"R", "G", "B"};
+  if (variance)
+    image.channels.insert(image.channels.end(), {"variance.R", "variance.G", "variance.B"});
+  image.values.reserve(image.channels.size() * film.width() * film.height());
+  const auto append = [&image](const DVec3& v) {
+    for (const double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
+  };
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      const Film::Pixel& pixel = film.at(x, y);
+      append(pixel.mean());
+      // Of a single sample or replicate no finite value would be honest.
+      if (variance)
+        append(pixel.replicates < 2 ? DVec3(std::numeric_limits<double>::infinity())
+                                    : pixel.variance_of_mean());
+    }
+  if (!variance) {  // there are no layers that these facts could describe
+    facts.variance_kind.reset();
+    facts.pixel_correlation.reset();
+  }
+  image.metadata = named_values(facts);
+  return image;
+}
 
 ImageFormat image_format(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "raytracing/study/chart/run_log.h"
+#include "raytracing/study/chart/runs.h"
 #include "support/cli_folder.h"
 
 namespace raytracing {

@@ -9,7 +9,7 @@
 
 #include "raytracing/io/image.h"
 #include "raytracing/render/render.h"
-#include "raytracing/study/chart/run_log.h"
+#include "raytracing/study/chart/runs.h"
 
 namespace raytracing {
 namespace {

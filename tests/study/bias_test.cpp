@@ -1,9 +1,8 @@
 // The bias of a method from its pictures: none is found where there is none, half a per cent is.
 
-#include "raytracing/study/metrics/bias.h"
-
 #include <gtest/gtest.h>
 
+#include "raytracing/study/metrics/reference.h"
 #include "study/noisy_pictures.h"
 #include "support/p_values.h"
 

@@ -84,7 +84,7 @@ TEST(ChartSummary, WithoutAnyMeasurablePointTablesAreEmpty) {
   floor.relmse.standard_error = 1;
   const ChartSummary s = made_up_chart(floor);
   EXPECT_FALSE(s.methods[0].over_spp);
-  EXPECT_TRUE(s.times.empty());
+  EXPECT_TRUE(s.equal_time.empty());
   const auto j = to_json(s);
   EXPECT_TRUE(j["equal_time"].empty());
   EXPECT_TRUE(j["methods"][0]["fit_over_spp"].is_null());

@@ -1,5 +1,3 @@
-#include "raytracing/study/metrics/error_picture.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/study/metrics/error_metrics.h"
 
 namespace raytracing {
 namespace {

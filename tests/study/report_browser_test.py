@@ -1,7 +1,7 @@
 """Opens reports from disk in a headless Chromium and uses them.
 
 report_browser_test.py REPORT_PAGE RAYTRACING [--screenshots FOLDER]
-REPORT_PAGE is the program that writes the example page; RAYTRACING makes a small chart. Ends with
+REPORT_PAGE is the program that writes the example pages; RAYTRACING makes a small chart. Ends with
 77 where Chromium, its driver or Selenium is missing. Debian: chromium chromium-driver
 python3-selenium.
 """
@@ -37,6 +37,20 @@ class ReportPage(ReportBrowser):
             self.assertIn(part, text)
         self.assertTrue(self.element("help").is_displayed())
         self.screenshot("light", whole=True)
+
+    def test_every_text_is_an_element_of_its_own(self):
+        texts = self.browser.execute_script(
+            "return [...document.querySelectorAll('main *')].map((e) => e.textContent)")
+        for text in ("First note: a < b.", "Second note: {{title}} stays as it is.", *LABELS,
+                     "16 spp, 0.42 s, relMSE 0.0031", "4096 spp, 90 s", "Error against time",
+                     "At equal time", "method", "relMSE", "speed", "3.1e-3", "-", "4.4 x",
+                     "command", "Raytracing chart --scene 'a b.toml' --out <dir>",
+                     "Release, AVX2"):
+            self.assertIn(text, texts)
+        self.assertEqual(self.browser.title, "Cornell <Box> & \"friends\"")
+        self.assertEqual(texts.count(self.browser.title), 1)
+        meaning = self.browser.find_element(By.CSS_SELECTOR, "dt").get_attribute("title")
+        self.assertEqual(meaning, "command line")
 
     def test_charts_are_shown_and_run_nothing(self):
         chart = self.browser.find_element(By.CSS_SELECTOR, ".chart img")
@@ -208,6 +222,34 @@ class ReportPage(ReportBrowser):
         self.assertEqual(self.zoom(), 3)
         picture = self.browser.find_element(By.CSS_SELECTOR, ".picture")
         self.assertEqual(picture.size["width"], 3 * 480 / 1.5)
+
+
+class TablesReport(ReportBrowser):
+    """A page that has nothing but tables."""
+    built = "table"
+
+    @classmethod
+    def make_page(cls, page):
+        subprocess.run([cls.report_page, str(page), "tables"], check=True)
+
+    def count(self, css):
+        return len(self.browser.find_elements(By.CSS_SELECTOR, css))
+
+    def test_empty_parts_are_left_out(self):
+        self.assertEqual([self.count(css) for css in ("section", "img", "dl", "#viewer")],
+                         [1, 0, 0, 0])
+
+    def test_columns_of_numbers_are_flush_right(self):
+        table = self.browser.find_element(By.CSS_SELECTOR, "table")
+        numbers = [cell.text for cell in table.find_elements(By.CSS_SELECTOR, "th.number")]
+        self.assertEqual(numbers, ["number", "with unit", "signed"])
+        self.assertEqual(len(table.find_elements(By.CSS_SELECTOR, ".number")), 9)
+
+    def test_rows_have_any_length(self):
+        rows = self.browser.find_elements(By.CSS_SELECTOR, "table")[1] \
+            .find_elements(By.CSS_SELECTOR, "tbody tr")
+        self.assertEqual([len(row.find_elements(By.CSS_SELECTOR, "td")) for row in rows],
+                         [1, 3, 0])
 
 
 class ChartReport(ReportBrowser):

@@ -46,4 +46,15 @@ inline Report example_report() {
   return report;
 }
 
+/// Tables alone: columns of numbers and of other cells, rows of any length.
+inline Report report_of_tables() {
+  Report report;
+  report.title = "Tables";
+  report.tables = {{"columns",
+                    {"text", "number", "with unit", "signed", "mixed", "nothing"},
+                    {{"a", "1", "1 s", "-1", "1", "-"}, {"b", ".5e3", "2 s", "+2", "none", ""}}},
+                   {"lengths", {"a", "b"}, {{"1"}, {"2", "3", "4"}, {}}}};
+  return report;
+}
+
 }  // namespace raytracing

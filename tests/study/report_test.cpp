@@ -1,7 +1,10 @@
+// The report page's contents; report_browser_test.py has what the page makes of them.
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "../../src/study/page/html_template.h"
+#include <nlohmann/json.hpp>
+
 #include "raytracing/study/page/report_page.h"
 #include "study/report_example.h"
 
@@ -16,9 +19,11 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// How often the page has the bytes as a data URI of this type.
-int count_data(const std::string& html, const char* type, const std::string& bytes) {
-  return count(html, fmt::format("\"data:{};base64,{}\"", type, base64(bytes)));
+/// The contents as the page's script reads them.
+Json contents(const std::string& html) {
+  const std::string begin = "<script type=\"application/json\" id=\"report\">";
+  const std::size_t at = html.find(begin) + begin.size();
+  return Json::parse(html.substr(at, html.find("</script>", at) - at));
 }
 
 TEST(Base64, HasTheVectorsOfRfc4648) {
@@ -37,98 +42,57 @@ TEST(Base64, TakesAllBytesAndUsesAllDigits) {
   EXPECT_EQ(base64("\xff\xff\xff\xfb\xef\xbe"), "////++++");
 }
 
-TEST(EscapeHtml, ReplacesWhatHtmlTakesForItself) {
-  EXPECT_EQ(escape_html(R"(<a href="x" id='y'>&amp;</a>)"),
-            "&lt;a href=&quot;x&quot; id=&#39;y&#39;&gt;&amp;amp;&lt;/a&gt;");
-  EXPECT_EQ(escape_html("ü 5 × 10⁻³"), "ü 5 × 10⁻³");
-}
-
-TEST(FillTemplate, EscapesRepeatsAndLeavesOut) {
-  const Json data = {{"name", "a<b"},
-                     {"none", nullptr},
-                     {"empty", ""},
-                     {"no_rows", Json::array()},
-                     {"texts", {"x", "{{name}}"}},
-                     {"rows", {{{"cell", "1"}}, {{"cell", "2"}, {"name", "inner"}}}}};
-  EXPECT_EQ(fill_template("", data), "");
-  EXPECT_EQ(fill_template("{{name}}|{{! no }}|{{name}}", data), "a&lt;b||a&lt;b");
-  EXPECT_EQ(fill_template("{{#texts}}[{{.}}]{{/texts}}", data), "[x][{{name}}]");
-  EXPECT_EQ(fill_template("{{#rows}}{{cell}}{{name}} {{/rows}}{{name}}", data),
-            "1a&lt;b 2inner a&lt;b");
-  EXPECT_EQ(fill_template("{{#name}}({{.}}){{/name}}", data), "(a&lt;b)");
-  EXPECT_EQ(
-      fill_template("-{{#none}}1{{/none}}{{#empty}}2{{/empty}}{{#no_rows}}3{{/no_rows}}-", data),
-      "--");
-}
-
-TEST(FillTemplate, RefusesWrongTemplates) {
-  for (const char* text : {"{{other}}", "{{name", "{{#name}}", "{{#name}}{{/other}}"}) {
-    EXPECT_THROW(fill_template(text, {{"name", "x"}}), std::logic_error) << text;
-  }
-}
-
 TEST(ReportHtml, HoldsEveryField) {
   const Report report = example_report();
-  const std::string html = report_html(report);
-  const auto expect_text = [&](const std::string& text) {
-    EXPECT_NE(html.find(fmt::format(">{}<", escape_html(text))), std::string::npos) << text;
-  };
-  EXPECT_EQ(count(html, fmt::format(">{}<", escape_html(report.title))), 2);
-  for (const std::string& note : report.notes) expect_text(note);
-  for (const ReportPicture& picture : report.pictures) {
-    expect_text(picture.label);
-    expect_text(picture.details);
-    EXPECT_EQ(count_data(html, "image/png", picture.png), 1);
-    if (picture.error_png.empty()) continue;
-    EXPECT_EQ(count_data(html, "image/png", picture.error_png), 1);
+  const Json j = contents(report_html(report));
+  EXPECT_EQ(j["title"], report.title);
+  EXPECT_EQ(j["notes"], Json(report.notes));
+  ASSERT_EQ(j["pictures"].size(), report.pictures.size());
+  for (std::size_t i = 0; i < report.pictures.size(); ++i) {
+    const ReportPicture& picture = report.pictures[i];
+    EXPECT_EQ(j["pictures"][i], Json({{"label", picture.label},
+                                      {"details", picture.details},
+                                      {"png", base64(picture.png)},
+                                      {"error_png", base64(picture.error_png)}}));
   }
-  EXPECT_EQ(count(html, "data:image/png;base64,"), 5);
-  for (const ReportChart& chart : report.charts) {
-    expect_text(chart.caption);
-    EXPECT_EQ(count_data(html, "image/svg+xml", chart.svg), 1);
+  ASSERT_EQ(j["charts"].size(), report.charts.size());
+  for (std::size_t i = 0; i < report.charts.size(); ++i) {
+    EXPECT_EQ(j["charts"][i]["caption"], report.charts[i].caption);
+    EXPECT_EQ(j["charts"][i]["svg"], base64(report.charts[i].svg));
   }
-  for (const ReportTable& table : report.tables) {
-    expect_text(table.caption);
-    for (const std::string& cell : table.header) expect_text(cell);
-    for (const auto& row : table.rows) {
-      for (const std::string& cell : row) expect_text(cell);
-    }
+  ASSERT_EQ(j["tables"].size(), report.tables.size());
+  for (std::size_t i = 0; i < report.tables.size(); ++i) {
+    EXPECT_EQ(j["tables"][i]["caption"], report.tables[i].caption);
+    EXPECT_EQ(j["tables"][i]["header"], Json(report.tables[i].header));
+    EXPECT_EQ(j["tables"][i]["rows"], Json(report.tables[i].rows));
   }
-  for (const auto& [name, value] : report.facts) {
-    expect_text(name);
-    expect_text(value);
+  ASSERT_EQ(j["facts"].size(), report.facts.size());
+  for (std::size_t i = 0; i < report.facts.size(); ++i) {
+    EXPECT_EQ(j["facts"][i]["name"], report.facts[i].first);
+    EXPECT_EQ(j["facts"][i]["value"], report.facts[i].second);
+    EXPECT_NE(j["facts"][i]["meaning"], "");
   }
 }
 
-TEST(ReportHtml, SetsColumnsOfNumbersFlushRight) {
+// No text of the report is taken for a part of the page, and any bytes make a page.
+TEST(ReportHtml, KeepsTextsApartFromThePage) {
+  const int scripts = count(report_html({}), "</script>");
   Report report;
-  report.tables = {{"caption",
-                    {"text", "number", "with unit", "signed", "mixed", "nothing"},
-                    {{"a", "1", "1 s", "-1", "1", "-"}, {"b", ".5e3", "2 s", "+2", "none", ""}}}};
+  report.title = "</script><script>alert(1)</script><!-- {{report}} \\ \"";
+  report.notes = {"ü 5 × 10⁻³", "not UTF-8: \xff"};
   const std::string html = report_html(report);
-  const auto is_number = [&](const char* name) {
-    return count(html, fmt::format("class=\"number\">{}<", name)) == 1;
-  };
-  for (const char* name : {"number", "with unit", "signed"}) EXPECT_TRUE(is_number(name)) << name;
-  for (const char* name : {"text", "mixed", "nothing"}) EXPECT_FALSE(is_number(name)) << name;
-  EXPECT_EQ(count(html, "class=\"number\""), 9);
+  EXPECT_EQ(count(html, "</script>"), scripts);
+  EXPECT_EQ(html.find("<!-- {{"), std::string::npos);
+  const Json j = contents(html);
+  EXPECT_EQ(j["title"], report.title);
+  EXPECT_EQ(j["notes"][0], report.notes[0]);
+  EXPECT_EQ(j["notes"][1], "not UTF-8: \xef\xbf\xbd");
 }
 
-TEST(ReportHtml, TakesRowsOfAnyLength) {
-  Report report;
-  report.tables = {{"caption", {"a", "b"}, {{"1"}, {"2", "3", "4"}, {}}}};
-  EXPECT_EQ(count(report_html(report), "<td"), 4);
-}
-
-TEST(ReportHtml, LeavesOutEmptyParts) {
-  const std::string empty = report_html({});
-  for (const char* part : {"<section", "<img", "<table", "<dl", "<script"}) {
-    EXPECT_EQ(empty.find(part), std::string::npos) << part;
-  }
-  Report report = example_report();
-  report.pictures.resize(1);
-  report.pictures[0].error_png.clear();
-  EXPECT_EQ(count(report_html(report), "class=\"error\""), 0);
+TEST(ReportHtml, ListsOfEmptyPartsAreEmpty) {
+  const Json j = contents(report_html({}));
+  for (const char* part : {"notes", "pictures", "charts", "tables", "facts"})
+    EXPECT_EQ(j[part], Json::array()) << part;
 }
 
 // What a page can ask the network for: attributes that name resources, url() and @import in CSS,
@@ -141,7 +105,7 @@ TEST(ReportHtml, NeedsNoOtherFileAndNoNetwork) {
         << attribute;
   }
   for (const char* part : {"://", "url(", "@import", "fetch(", "XMLHttpRequest", "import(", "<link",
-                           "<iframe", "{{#", "{{/"}) {
+                           "<iframe", "{{report}}"}) {
     EXPECT_EQ(html.find(part), std::string::npos) << part;
   }
   EXPECT_NE(html.find("content=\"default-src 'none'; img-src data:;"), std::string::npos);

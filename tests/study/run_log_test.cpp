@@ -1,7 +1,5 @@
 // The table of finished runs: nothing is lost or changed on the way through the file.
 
-#include "raytracing/study/chart/run_log.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/study/chart/runs.h"
 #include "support/temp_dir.h"
 
 namespace raytracing {

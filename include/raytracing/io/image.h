@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "raytracing/render/film.h"
 #include "raytracing/render/provenance.h"
 
 namespace raytracing {
@@ -20,6 +21,10 @@ struct ImageData {
   ImageMetadata metadata;
   int integer_bits = 0;  ///< bits of an integer channel of a file that was read; 0 = float
 };
+
+/// The pixel means of a film, with the facts of its run as metadata. With `variance`, the channels
+/// variance.R/G/B hold the variances of the means, infinite where a single replicate gives none.
+ImageData to_image(const Film& film, RunFacts facts, bool variance = false);
 
 enum class ImageFormat { png, exr };
 

@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/study/chart/plot.h"
 #include "raytracing/study/chart/report.h"
 #include "raytracing/study/chart/runs.h"
 #include "raytracing/study/chart/summary.h"
-#include "raytracing/study/page/gnuplot.h"
+#include "raytracing/study/page/result_folder.h"
 
 namespace raytracing {
 namespace {
@@ -26,11 +24,12 @@ class Chart {
 
   ChartEnd make(const Scene& scene) {
     const PixelMask mask = read_mask(request_.mask, settings_.width, settings_.height);
-    if (!request_.mask.empty()) mask_id_ = fmt::format("{:016x}", hash_of_file(request_.mask));
+    if (!request_.mask.empty()) mask_id_ = hash_of_file(request_.mask);
     std::optional<Reference> reference;
     reference_id_ = reference_id();
     if (!is_automatic()) reference = read_reference_file();
-    create_folder();
+    const ResultFolder folder(settings_.folder,
+                              [this](const std::string& name) { listener_.file_written(name); });
     claim_folder(settings_.folder, settings_json(settings_, reference_id_, mask_id_));
     if (is_automatic()) reference = automatic_reference(scene);
     if (!reference) return ChartEnd::stopped_in_reference;
@@ -40,19 +39,15 @@ class Chart {
     RunLog log(settings_.folder);
     for (const std::string& line : log.warnings()) listener_.warn(line);
     if (!make_all_runs(scene, truth, log)) return ChartEnd::stopped_in_runs;
-    write_results(summarise_runs(settings_, log, truth), log, truth);
+    write_results(folder, summarise_runs(settings_, log, truth), log, truth);
     return ChartEnd::complete;
   }
 
  private:
   bool is_automatic() const { return request_.reference == "auto"; }
 
-  static std::uint64_t hash_of_file(const std::string& path) { return hash_bytes(read_file(path)); }
-
-  void create_folder() const {
-    std::error_code error;
-    std::filesystem::create_directories(settings_.folder, error);
-    if (error) throw OutputError(settings_.folder + ": " + error.message());
+  static std::string hash_of_file(const std::string& path) {
+    return hash_text(hash_bytes(read_file(path)));
   }
 
   ReferenceTerms terms() const {
@@ -67,8 +62,7 @@ class Chart {
 
   // Names everything that the reference depends on.
   std::string reference_id() const {
-    if (!is_automatic())
-      return fmt::format("file of hash {:016x}", hash_of_file(request_.reference));
+    if (!is_automatic()) return "file of hash " + hash_of_file(request_.reference);
     return fmt::format("auto, {}, {:g} s", reference_method(settings_.max_depth).name,
                        request_.reference_seconds);
   }
@@ -85,7 +79,7 @@ class Chart {
   std::optional<Reference> automatic_reference(const Scene& scene) const {
     const std::string id = settings_json(settings_, reference_id_, "").dump();
     const std::string path =
-        fmt::format("{}/reference_{:016x}.exr", settings_.folder, hash_bytes(id));
+        fmt::format("{}/reference_{}.exr", settings_.folder, hash_text(hash_bytes(id)));
     if (std::filesystem::exists(path)) return read_reference(path, terms());
     listener_.note(fmt::format("rendering the reference by {} for {:g} s",
                                reference_method(settings_.max_depth).name,
@@ -136,14 +130,7 @@ class Chart {
     return [this](std::uint64_t done, std::uint64_t total) { listener_.progress(done, total); };
   }
 
-  void write(const std::string& name, const std::string& bytes) const {
-    OutputFile file(settings_.folder + "/" + name);
-    file.write(bytes);
-    file.commit();
-    listener_.file_written(name);
-  }
-
-  void write_results(const ChartSummary& summary, const RunLog& log,
+  void write_results(const ResultFolder& folder, const ChartSummary& summary, const RunLog& log,
                      const GroundTruth& truth) const {
     for (const MethodSummary& m : summary.methods)
       if (m.bias()) listener_.note(fmt::format("{}: {}", m.method->name, to_text(*m.bias())));
@@ -152,32 +139,27 @@ class Chart {
     if (const auto count = truth.reference.non_finite_samples)
       json["reference_non_finite_samples"] = *count;
     json.update(to_json(summary));
-    write("summary.json", json.dump(2) + "\n");
-    write("chart.dat", plot_data(summary, plot_bottom(summary)));
-    write("chart.gp", plot_script(summary, chart_title(settings_)));
+    folder.write("summary.json", json.dump(2) + "\n");
+    folder.write("chart.dat", plot_data(summary, plot_bottom(summary)));
+    folder.write("chart.gp", plot_script(summary, chart_title(settings_)));
     const auto write_report = [&](bool has_charts) {
-      write("report.html",
-            report_html(chart_report(settings_, summary, log, truth, has_charts, facts())));
+      folder.write("report.html",
+                   report_html(chart_report(settings_, summary, log, truth, has_charts, facts())));
     };
     try {
-      write_report(draw());
+      write_report(draw(folder));
     } catch (const OutputError&) {  // a failure of gnuplot must not cost the tables
       write_report(false);
       throw;
     }
   }
 
-  bool draw() const {
-    if (!run_gnuplot(settings_.folder, "chart.gp")) {
-      listener_.warn(
-          "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the same command "
-          "draws them");
-      return false;
-    }
-    for (const char* name :
-         {"error_vs_time.svg", "error_vs_time.png", "error_vs_spp.svg", "error_vs_spp.png"})
-      listener_.file_written(name);
-    return true;
+  bool draw(const ResultFolder& folder) const {
+    if (folder.draw("chart.gp", picture_files({"error_vs_time", "error_vs_spp"}))) return true;
+    listener_.warn(
+        "no charts drawn: gnuplot is missing (Debian: gnuplot-nox); with it, the same command "
+        "draws them");
+    return false;
   }
 
   std::vector<std::pair<std::string, std::string>> facts() const {

@@ -1,16 +1,45 @@
 #include "raytracing/study/chart/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
+#include "embedded/chart_script.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
-#include "raytracing/study/metrics/error_picture.h"
+#include "raytracing/study/metrics/error_metrics.h"
+#include "raytracing/study/page/result_folder.h"
 
 namespace raytracing {
 namespace {
+
+const Spread& errors_of(const ChartSummary& summary, const ChartPoint& point) {
+  return summary.floor ? point.relmse_corrected : point.relmse;
+}
+
+std::string positive(double value) { return value > 0 ? fmt::format("{:.6g}", value) : "NaN"; }
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+// The smallest and the largest value(point) of all points.
+template <class Value>
+Range range_of(const ChartSummary& summary, const Value& value) {
+  Range range;
+  for (const MethodSummary& m : summary.methods)
+    for (const ChartPoint& p : m.points) range.add(value(p));
+  return range;
+}
 
 // The longest time up to which every method has been measured.
 double common_time(const ChartSummary& summary) {
@@ -62,14 +91,14 @@ std::vector<ReportPicture> pictures(const ChartSummary& summary, const RunLog& l
 }
 
 // A sentence on the ranks of the methods at a time at which all were measured.
-std::string best_at(const ChartSummary& summary, double seconds) {
-  std::vector<std::pair<double, std::string>> ranks;
-  for (const MethodSummary& m : summary.methods)
-    ranks.emplace_back(*error_at(m.curve, seconds), std::string(m.method->name));
+std::string best_at(const ChartSummary& summary, const ChartSummary::Level& level) {
+  std::vector<std::pair<double, std::string_view>> ranks;
+  for (std::size_t m = 0; m < summary.methods.size(); ++m)
+    ranks.emplace_back(level.values[m].value(), summary.methods[m].method->name);
   std::sort(ranks.begin(), ranks.end());
   std::string text =
       fmt::format("In {:.3g} s, the least relMSE (median over the seeds) is that of {}: {:.3g}",
-                  seconds, ranks.front().second, ranks.front().first);
+                  level.at, ranks.front().second, ranks.front().first);
   for (std::size_t i = 1; i < ranks.size(); ++i)
     text += fmt::format("{} {} has {:.2f} times as much", i == 1 ? ";" : ",", ranks[i].second,
                         ranks[i].first / ranks[0].first);
@@ -78,13 +107,14 @@ std::string best_at(const ChartSummary& summary, double seconds) {
 
 std::vector<std::string> notes(const ChartSummary& summary) {
   std::vector<std::string> result;
-  std::vector<double> times;  // at which all methods were measured
-  for (const double seconds : summary.times)
-    if (std::all_of(summary.methods.begin(), summary.methods.end(),
-                    [seconds](const auto& m) { return error_at(m.curve, seconds).has_value(); }))
-      times.push_back(seconds);
-  if (!times.empty()) result.push_back(best_at(summary, times.front()));
-  if (times.size() > 1) result.push_back(best_at(summary, times.back()));
+  std::vector<ChartSummary::Level> common;  // times at which all methods were measured
+  std::copy_if(summary.equal_time.begin(), summary.equal_time.end(), std::back_inserter(common),
+               [](const ChartSummary::Level& level) {
+                 return std::all_of(level.values.begin(), level.values.end(),
+                                    [](const auto& value) { return value.has_value(); });
+               });
+  if (!common.empty()) result.push_back(best_at(summary, common.front()));
+  if (common.size() > 1) result.push_back(best_at(summary, common.back()));
   for (const MethodSummary& m : summary.methods)
     if (m.bias() && m.bias()->detected)
       result.push_back(fmt::format("{}: {}.", m.method->name, to_text(*m.bias())));
@@ -115,30 +145,13 @@ std::string slope_cell(const std::optional<PowerLaw>& fit) {
                      fit->slope_interval->high);
 }
 
-std::vector<std::string> with_methods(const std::string& first, const ChartSummary& summary) {
-  std::vector<std::string> header{first};
-  for (const MethodSummary& m : summary.methods) header.emplace_back(m.method->name);
-  return header;
-}
-
-ReportTable equal_time(const ChartSummary& summary) {
-  ReportTable table{"relMSE at equal time; -: not measured there, nothing is extrapolated",
-                    with_methods("seconds", summary),
-                    {}};
-  for (const double seconds : summary.times) {
-    auto& row = table.rows.emplace_back(1, fmt::format("{:.3g}", seconds));
-    for (const MethodSummary& m : summary.methods) row.push_back(cell(error_at(m.curve, seconds)));
-  }
-  return table;
-}
-
-ReportTable equal_error(const ChartSummary& summary) {
-  ReportTable table{"Seconds to an error; -: not reached, or below it from the first point on",
-                    with_methods("relMSE", summary),
-                    {}};
-  for (const double error : summary.errors) {
-    auto& row = table.rows.emplace_back(1, fmt::format("{:.3g}", error));
-    for (const MethodSummary& m : summary.methods) row.push_back(cell(time_to(m.curve, error)));
+ReportTable level_table(const char* caption, const char* at, const ChartSummary& summary,
+                        const std::vector<ChartSummary::Level>& levels) {
+  ReportTable table{caption, {at}, {}};
+  for (const MethodSummary& m : summary.methods) table.header.emplace_back(m.method->name);
+  for (const ChartSummary::Level& level : levels) {
+    auto& row = table.rows.emplace_back(1, cell(level.at));
+    for (const auto& value : level.values) row.push_back(cell(value));
   }
   return table;
 }
@@ -191,11 +204,81 @@ ReportTable points(const ChartSummary& summary) {
 }
 
 std::vector<ReportTable> chart_tables(const ChartSummary& summary) {
-  return {equal_time(summary), equal_error(summary), fits(summary), pareto_front(summary),
-          points(summary)};
+  return {level_table("relMSE at equal time; -: not measured there, nothing is extrapolated",
+                      "seconds", summary, summary.equal_time),
+          level_table("Seconds to an error; -: not reached, or below it from the first point on",
+                      "relMSE", summary, summary.equal_error),
+          fits(summary), pareto_front(summary), points(summary)};
 }
 
 }  // namespace
+
+double plot_bottom(const ChartSummary& summary) {
+  double low = std::numeric_limits<double>::infinity();
+  for (const MethodSummary& m : summary.methods)
+    for (const ChartPoint& p : m.points)
+      if (p.measurable) low = std::min(low, p.error);
+  if (std::isinf(low)) return 1e-9;
+  constexpr double kFarBelow = 30;  // a floor lower than that would only flatten the curves
+  if (summary.floor && summary.floor->relmse.value > low / kFarBelow)
+    low = std::min(low, summary.floor->relmse.value);
+  return std::pow(10, std::floor(std::log10(0.7 * low)));
+}
+
+std::string plot_data(const ChartSummary& summary, double bottom) {
+  std::string text = fmt::format(
+      "# error: relMSE{}; NaN: not above 0; {:.6g} as the least error: not above 0\n"
+      "# spp seconds(median min max) error(median min max)\n",
+      summary.floor ? " less the noise floor" : "", bottom);
+  for (const MethodSummary& m : summary.methods) {
+    text += fmt::format("# {}\n", m.method->name);
+    for (const ChartPoint& p : m.points) {
+      const Spread& e = errors_of(summary, p);
+      text += fmt::format("{} {:.6g} {:.6g} {:.6g} {} {} {}\n", p.spp, p.seconds.median,
+                          p.seconds.low, p.seconds.high, positive(e.median),
+                          e.low > 0 ? positive(e.low) : fmt::format("{:.6g}", bottom),
+                          positive(e.high));
+    }
+    text += "\n\n";
+  }
+  return text;
+}
+
+std::string plot_script(const ChartSummary& summary, const std::string& title) {
+  std::vector<std::string> labels, colours, marks, tics(2);
+  for (const MethodSummary& m : summary.methods) {
+    labels.push_back(method_label(*m.method));
+    colours.emplace_back(m.method->colour);
+    marks.push_back(std::to_string(m.method->mark));
+  }
+  const auto spp =
+      range_of(summary, [](const ChartPoint& p) { return static_cast<double>(p.spp); });
+  const auto seconds = range_of(summary, [](const ChartPoint& p) { return p.seconds.median; });
+  for (const ChartPoint& p : summary.methods[0].points) tics[0] += std::to_string(p.spp) + " ";
+  tics[1] = fmt::format("{:g}", fmt::join(round_numbers(seconds.low, seconds.high), " "));
+  const std::string subtitle =
+      fmt::format("median and min-max band of {} seeds{}", summary.methods[0].points[0].seeds,
+                  summary.floor ? ", less the noise of the reference" : "");
+  std::string text =
+      "# Draws the charts. Run gnuplot 5.2 or later on it in this folder:\n#   gnuplot chart.gp\n";
+  text +=
+      fmt::format("title = {}\nsubtitle = {}\n", gnuplot_string(title), gnuplot_string(subtitle));
+  text += fmt::format("epsilon = {:g}  # of relMSE\n", kRelMseEpsilon);
+  text += fmt::format("noise = {:.6g}  # relMSE of the reference itself; 0: not known\n",
+                      summary.floor ? summary.floor->relmse.value : 0);
+  text += fmt::format("bottom = {:.6g}  # of the error axis\n", plot_bottom(summary));
+  text += fmt::format("top = {:.6g}  # the largest error\n", range_of(summary, [&](const auto& p) {
+                                                               return errors_of(summary, p).high;
+                                                             }).high);
+  text += "# By samples per pixel and by seconds: the smallest value, the largest, and labels.\n";
+  text += fmt::format("array low[2] = [{:.6g}, {:.6g}]\n", spp.low, seconds.low);
+  text += fmt::format("array high[2] = [{:.6g}, {:.6g}]\n", spp.high, seconds.high);
+  text += gnuplot_array("tics", tics);
+  text += "# The methods, in the order of chart.dat.\n";
+  text += gnuplot_array("label", labels) + gnuplot_array("colour", colours);
+  text += gnuplot_array("mark", marks) + "\n";
+  return text.append(kChartScript);
+}
 
 Report chart_report(const ChartSettings& settings, const ChartSummary& summary, const RunLog& log,
                     const GroundTruth& truth, bool has_charts,

@@ -12,27 +12,34 @@
 namespace raytracing {
 namespace {
 
+// A number of each run, and its spread over the seeds.
+struct SpreadField {
+  const char* name;  // in summary.json
+  Spread ChartPoint::*spread;
+  double (*of)(const ChartRun& run);
+};
+constexpr SpreadField kSpreads[] = {
+    {"seconds", &ChartPoint::seconds, [](const ChartRun& r) { return *r.facts.render_seconds; }},
+    {"cpu_seconds", &ChartPoint::cpu_seconds,
+     [](const ChartRun& r) { return *r.facts.cpu_seconds; }},
+    {"mse", &ChartPoint::mse, [](const ChartRun& r) { return r.mse; }},
+    {"mse_corrected", &ChartPoint::mse_corrected,
+     [](const ChartRun& r) { return r.mse_corrected; }},
+    {"relmse", &ChartPoint::relmse, [](const ChartRun& r) { return r.relmse; }},
+    {"relmse_corrected", &ChartPoint::relmse_corrected,
+     [](const ChartRun& r) { return r.relmse_corrected; }},
+    {"smape", &ChartPoint::smape, [](const ChartRun& r) { return r.smape; }},
+};
+
 ChartPoint point_of(std::uint64_t spp, const std::vector<const ChartRun*>& runs) {
-  const auto spread_of = [&](double ChartRun::*field) {
-    std::vector<double> values;
-    for (const ChartRun* run : runs) values.push_back(run->*field);
-    return spread(values);
-  };
-  const auto spread_of_fact = [&](std::optional<double> RunFacts::*field) {
-    std::vector<double> values;
-    for (const ChartRun* run : runs) values.push_back((run->facts.*field).value());
-    return spread(values);
-  };
   ChartPoint point{};
   point.spp = spp;
   point.seeds = runs.size();
-  point.seconds = spread_of_fact(&RunFacts::render_seconds);
-  point.cpu_seconds = spread_of_fact(&RunFacts::cpu_seconds);
-  point.mse = spread_of(&ChartRun::mse);
-  point.relmse = spread_of(&ChartRun::relmse);
-  point.smape = spread_of(&ChartRun::smape);
-  point.mse_corrected = spread_of(&ChartRun::mse_corrected);
-  point.relmse_corrected = spread_of(&ChartRun::relmse_corrected);
+  for (const SpreadField& field : kSpreads) {
+    std::vector<double> values;
+    for (const ChartRun* run : runs) values.push_back(field.of(*run));
+    point.*field.spread = spread(values);
+  }
   for (const ChartRun* run : runs) point.non_finite += run->facts.non_finite_samples.value_or(0);
   return point;
 }
@@ -65,15 +72,22 @@ void add_tables(ChartSummary& summary) {
     }
   if (all.empty()) return;
   for (const std::size_t i : pareto_front(all)) summary.pareto_front.push_back(places[i]);
-  const auto [fastest, slowest] = std::minmax_element(
-      all.begin(), all.end(),
-      [](const CurvePoint& a, const CurvePoint& b) { return a.seconds < b.seconds; });
-  summary.times = round_numbers(fastest->seconds, slowest->seconds);
-  const auto [best, worst] = std::minmax_element(
-      all.begin(), all.end(),
-      [](const CurvePoint& a, const CurvePoint& b) { return a.error < b.error; });
-  summary.errors = round_numbers(best->error, worst->error);
-  std::reverse(summary.errors.begin(), summary.errors.end());
+  std::vector<double> seconds, errors;
+  for (const CurvePoint& point : all) {
+    seconds.push_back(point.seconds);
+    errors.push_back(point.error);
+  }
+  const auto add_levels = [&](const std::vector<double>& within, const auto& value_at,
+                              std::vector<ChartSummary::Level>& levels) {
+    const auto [low, high] = std::minmax_element(within.begin(), within.end());
+    for (const double at : round_numbers(*low, *high)) {
+      ChartSummary::Level& level = levels.emplace_back(ChartSummary::Level{at, {}});
+      for (const MethodSummary& m : summary.methods) level.values.push_back(value_at(m.curve, at));
+    }
+  };
+  add_levels(seconds, error_at, summary.equal_time);
+  add_levels(errors, time_to, summary.equal_error);
+  std::reverse(summary.equal_error.begin(), summary.equal_error.end());
 }
 
 // The functions below make summary.json.
@@ -81,10 +95,6 @@ void add_tables(ChartSummary& summary) {
 using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json optional_number(const std::optional<double>& value) {
-  return value ? number(*value) : Json(nullptr);
-}
 
 Json json(const Spread& s) {
   return {{"median", number(s.median)}, {"min", number(s.low)}, {"max", number(s.high)}};
@@ -120,13 +130,7 @@ Json json(const ChartPoint& p) {
   Json j;
   j["spp"] = p.spp;
   j["seeds"] = p.seeds;
-  j["seconds"] = json(p.seconds);
-  j["cpu_seconds"] = json(p.cpu_seconds);
-  j["mse"] = json(p.mse);
-  j["mse_corrected"] = json(p.mse_corrected);
-  j["relmse"] = json(p.relmse);
-  j["relmse_corrected"] = json(p.relmse_corrected);
-  j["smape"] = json(p.smape);
+  for (const SpreadField& field : kSpreads) j[field.name] = json(p.*field.spread);
   j["above_floor"] = p.measurable;
   j["non_finite_samples"] = p.non_finite;
   j["bias"] = json(p.bias);
@@ -142,6 +146,19 @@ Json json(const MethodSummary& m) {
   j["bias"] = json(m.bias());
   for (const ChartPoint& point : m.points) j["points"].push_back(json(point));
   return j;
+}
+
+// The levels with their values by the names of the methods.
+Json json(const ChartSummary& s, const std::vector<ChartSummary::Level>& levels, const char* at,
+          const char* value) {
+  Json rows = Json::array();
+  for (const ChartSummary::Level& level : levels) {
+    Json& row = rows.emplace_back(Json{{at, level.at}});
+    for (std::size_t m = 0; m < s.methods.size(); ++m)
+      row[value][std::string(s.methods[m].method->name)] =
+          level.values[m] ? number(*level.values[m]) : Json(nullptr);
+  }
+  return rows;
 }
 
 // Defines every number, for readers who have only the file.
@@ -220,20 +237,8 @@ nlohmann::ordered_json to_json(const ChartSummary& s) {
   j["noise_floor"] = nullptr;
   if (s.floor) j["noise_floor"] = {{"mse", json(s.floor->mse)}, {"relmse", json(s.floor->relmse)}};
   for (const MethodSummary& method : s.methods) j["methods"].push_back(json(method));
-  j["equal_time"] = Json::array();
-  for (const double seconds : s.times) {
-    Json row{{"seconds", seconds}};
-    for (const MethodSummary& m : s.methods)
-      row["relmse"][std::string(m.method->name)] = optional_number(error_at(m.curve, seconds));
-    j["equal_time"].push_back(row);
-  }
-  j["equal_error"] = Json::array();
-  for (const double error : s.errors) {
-    Json row{{"relmse", error}};
-    for (const MethodSummary& m : s.methods)
-      row["seconds"][std::string(m.method->name)] = optional_number(time_to(m.curve, error));
-    j["equal_error"].push_back(row);
-  }
+  j["equal_time"] = json(s, s.equal_time, "seconds", "relmse");
+  j["equal_error"] = json(s, s.equal_error, "relmse", "seconds");
   j["pareto_front"] = Json::array();
   for (const auto& [method, point] : s.pareto_front) {
     const ChartPoint& p = s.methods[method].points[point];

@@ -1,64 +1,32 @@
 #include "raytracing/study/page/report_page.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "embedded/report_page.h"
-#include "html_template.h"
 
 namespace raytracing {
 namespace {
 
 using Json = nlohmann::json;
 
-// Whether the cell begins with digits, after an optional sign or point; a unit may follow.
-bool begins_with_number(std::string_view cell) {
-  cell.remove_prefix(std::min(cell.find_first_not_of("+-."), cell.size()));
-  return !cell.empty() && cell.front() >= '0' && cell.front() <= '9';
-}
-
-// Whether all cells of the column begin with numbers; cells without letters and digits are empty
-// ones.
-bool is_number_column(const ReportTable& table, std::size_t column) {
-  bool found = false;
-  for (const std::vector<std::string>& row : table.rows) {
-    if (column >= row.size()) continue;
-    if (row[column].find_first_not_of("+-. ") == std::string::npos) continue;
-    if (!begins_with_number(row[column])) return false;
-    found = true;
-  }
-  return found;
-}
-
-Json to_json(const ReportTable& table) {
-  std::vector<const char*> align;  // of each column
-  for (std::size_t i = 0; i < table.header.size(); ++i) {
-    align.push_back(is_number_column(table, i) ? "number" : "text");
-  }
-  const auto cells = [&align](const std::vector<std::string>& row) {
-    Json result = Json::array();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      result.push_back({{"text", row[i]}, {"align", i < align.size() ? align[i] : "text"}});
-    }
-    return result;
-  };
-  Json rows = Json::array();
-  for (const std::vector<std::string>& row : table.rows) rows.push_back({{"cells", cells(row)}});
-  return {{"caption", table.caption}, {"header", cells(table.header)}, {"rows", std::move(rows)}};
-}
-
-Json to_json(const ReportPicture& picture) {
+Json json(const ReportPicture& picture) {
   return {{"label", picture.label},
           {"details", picture.details},
           {"png", base64(picture.png)},
           {"error_png", base64(picture.error_png)}};
 }
 
-Json to_json(const ReportChart& chart) {
+Json json(const ReportChart& chart) {
   return {{"caption", chart.caption}, {"svg", base64(chart.svg)}};
 }
 
-Json to_json(const std::pair<std::string, std::string>& fact) {
+Json json(const ReportTable& table) {
+  return {{"caption", table.caption}, {"header", table.header}, {"rows", table.rows}};
+}
+
+Json json(const std::pair<std::string, std::string>& fact) {
   const auto fields = fact_fields();
   const auto known = std::find_if(fields.begin(), fields.end(),
                                   [&](const FactField& field) { return field.name == fact.first; });
@@ -67,13 +35,16 @@ Json to_json(const std::pair<std::string, std::string>& fact) {
           {"meaning", known == fields.end() ? "" : known->meaning}};
 }
 
-// One part of the page with its heading; null leaves it out.
 template <class Element>
-Json part(const std::vector<Element>& elements) {
-  if (elements.empty()) return nullptr;
+Json json(const std::vector<Element>& elements) {
   Json list = Json::array();
-  for (const Element& element : elements) list.push_back(to_json(element));
-  return {{"list", std::move(list)}};
+  for (const Element& element : elements) list.push_back(json(element));
+  return list;
+}
+
+void replace_all(std::string& text, std::string_view part, std::string_view by) {
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += by.size())
+    text.replace(at, part.size(), by);
 }
 
 }  // namespace
@@ -89,12 +60,34 @@ std::string method_label(const DirectMethod& method) {
 }
 
 std::string report_html(const Report& report) {
-  return fill_template(kReportPage, {{"title", report.title},
-                                     {"notes", report.notes},
-                                     {"pictures", part(report.pictures)},
-                                     {"charts", part(report.charts)},
-                                     {"tables", part(report.tables)},
-                                     {"facts", part(report.facts)}});
+  constexpr std::string_view kPlace = "{{report}}";
+  const Json contents = {{"title", report.title},
+                         {"notes", report.notes},
+                         {"pictures", json(report.pictures)},
+                         {"charts", json(report.charts)},
+                         {"tables", json(report.tables)},
+                         {"facts", json(report.facts)}};
+  std::string text = contents.dump(-1, ' ', false, Json::error_handler_t::replace);
+  replace_all(text, "<", "\\u003c");  // no text of the report ends or opens an element of the page
+  std::string page(kReportPage);
+  return page.replace(page.find(kPlace), kPlace.size(), text);
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  while (!bytes.empty()) {
+    const std::string_view group = bytes.substr(0, 3);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      bits = bits << 8 | (i < group.size() ? static_cast<unsigned char>(group[i]) : 0u);
+    for (std::size_t i = 0; i < 4; ++i)
+      out += i <= group.size() ? kDigits[bits >> (18 - 6 * i) & 63] : '=';
+    bytes.remove_prefix(group.size());
+  }
+  return out;
 }
 
 }  // namespace raytracing

@@ -9,7 +9,7 @@
 
 #include "embedded/stress_script.h"
 #include "raytracing/io/file.h"
-#include "raytracing/study/page/gnuplot.h"
+#include "raytracing/study/page/result_folder.h"
 
 namespace raytracing {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "raytracing/study/chart/run_log.h"
+#include "raytracing/study/chart/runs.h"
 #include "raytracing/study/chart/settings.h"
-#include "raytracing/study/metrics/bias.h"
+#include "raytracing/study/metrics/reference.h"
 #include "raytracing/study/metrics/statistics.h"
 
 namespace raytracing {
@@ -48,8 +48,13 @@ struct MethodSummary {
 struct ChartSummary {
   std::optional<NoiseFloor> floor;
   std::vector<MethodSummary> methods;
-  std::vector<double> times;   ///< of the table of equal time: 1, 2, 5, 10 ... within the curves
-  std::vector<double> errors;  ///< of the table of equal error, falling
+  /// A time or an error, and the value of each method there; empty where nothing was measured.
+  struct Level {
+    double at;
+    std::vector<std::optional<double>> values;
+  };
+  std::vector<Level> equal_time;   ///< errors at 1, 2, 5, 10 ... seconds within the curves
+  std::vector<Level> equal_error;  ///< seconds to an error, from the largest error on
   struct FrontPoint {
     std::size_t method, point;  ///< indices
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -48,8 +49,11 @@ std::vector<std::pair<std::string, std::string>> fact_rows(const RunFacts& facts
 std::string method_label(const DirectMethod& method);
 
 /// The report as one HTML page that needs no other file and no network: two pictures under a
-/// draggable divider, with zoom and error maps, then charts, tables and how it was made.
-/// A part that is empty is left out.
+/// draggable divider, with zoom and error maps, then charts, tables and how it was made. The page
+/// holds the contents as JSON, from which its script builds these parts; an empty one is left out.
 std::string report_html(const Report& report);
+
+/// Encodes bytes in Base64 with padding, RFC 4648 section 4.
+std::string base64(std::string_view bytes);
 
 }  // namespace raytracing

@@ -1,4 +1,4 @@
-#include "raytracing/study/page/gnuplot.h"
+#include "raytracing/study/page/result_folder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,13 +7,43 @@
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/io/file.h"
 
 extern char** environ;
 
 namespace raytracing {
+
+ResultFolder::ResultFolder(std::string path, Announce announce)
+    : path_(std::move(path)), announce_(std::move(announce)) {
+  std::error_code error;
+  std::filesystem::create_directories(path_, error);
+  if (error) throw OutputError(path_ + ": " + error.message());
+}
+
+void ResultFolder::write(const std::string& name, const std::string& bytes) const {
+  OutputFile file(path_ + "/" + name);
+  file.write(bytes);
+  file.commit();
+  announce_(name);
+}
+
+bool ResultFolder::draw(const std::string& script, const std::vector<std::string>& pictures) const {
+  if (!run_gnuplot(path_, script)) return false;
+  for (const std::string& name : pictures) announce_(name);
+  return true;
+}
+
+std::vector<std::string> picture_files(const std::vector<std::string>& plots) {
+  std::vector<std::string> files;
+  for (const std::string& plot : plots)
+    for (const char* extension : {".svg", ".png"}) files.push_back(plot + extension);
+  return files;
+}
 
 std::string gnuplot_string(const std::string& text) {
   std::string result = "'";
