@@ -42,7 +42,7 @@ int run_in_threads(int threads, const std::function<void()>& work) {
   };
   std::vector<std::jthread> started;
   try {
-    for (int i = 0; i < threads; ++i) started.emplace_back(share);
+    for (int i = 0; threads > 1 && i < threads; ++i) started.emplace_back(share);
   } catch (const std::system_error&) {  // the system allows no more: fewer do as well
   }
   if (started.empty()) share();

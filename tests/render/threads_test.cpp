@@ -25,10 +25,12 @@ TEST(Threads, EachDoesTheWorkOnce) {
   EXPECT_FALSE(ids.contains(std::this_thread::get_id()));
 }
 
-TEST(Threads, NoneMeansThisOne) {
-  std::thread::id id;
-  EXPECT_EQ(run_in_threads(0, [&] { id = std::this_thread::get_id(); }), 1);
-  EXPECT_EQ(id, std::this_thread::get_id());
+TEST(Threads, NoneAndOneMeanThisOne) {
+  for (const int threads : {0, 1}) {
+    std::thread::id id;
+    EXPECT_EQ(run_in_threads(threads, [&] { id = std::this_thread::get_id(); }), 1);
+    EXPECT_EQ(id, std::this_thread::get_id());
+  }
 }
 
 // An exception reaches the caller when all threads are done, from the caller's own thread too.

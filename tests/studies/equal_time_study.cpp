@@ -9,6 +9,7 @@
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
 #include "raytracing/study/metrics/statistics.h"
+#include "raytracing/study/page/result_folder.h"
 #include "studies/study.h"
 
 namespace raytracing {
@@ -208,6 +209,20 @@ Curve make_curve(const std::vector<double>& errors, double seconds_per_spp) {
   return curve;
 }
 
+// The curves' colours and marks, those of their methods, for the chart.
+std::string chart_style() {
+  std::vector<std::string> colours, marks;
+  int plain = 0;
+  for (const Entry& entry : entries()) {
+    const DirectMethod& method = direct_method(entry.method);
+    colours.emplace_back(method.colour);
+    marks.push_back(std::to_string(method.mark));
+    plain += !entry.padded;
+  }
+  return gnuplot_array("colour", colours) + gnuplot_array("mark", marks) +
+         fmt::format("plain = {}\n", plain);
+}
+
 void run(StudyReport& report) {
   LoadReport notes;
   SceneFile file = load_scene_file(std::string(RAYTRACING_SOURCE_DIR) + "/scenes/cornell.toml",
@@ -262,6 +277,7 @@ void run(StudyReport& report) {
                  kTargets[t], best / times["line"][t]);
   }
   report.write_csv("curves", csv);
+  report.write_style(chart_style());
   report.write_text();
 }
 

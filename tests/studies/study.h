@@ -38,6 +38,8 @@ class StudyReport {
   void write_csv(std::string_view table, const std::string& csv) const {
     write(fmt::format("{}_{}.csv", name_, table), csv);
   }
+  /// Writes <folder>/<name>_style.gp, which the study's chart loads.
+  void write_style(const std::string& script) const { write(name_ + "_style.gp", script); }
   /// Writes the text; call it at the end.
   void write_text() const { write(name_ + ".md", text_); }
 

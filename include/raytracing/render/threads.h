@@ -22,7 +22,8 @@ class FlushedDenormals {
 double thread_cpu_seconds();
 
 /// Runs `work` at once in `threads` threads, or in as many as can be started, with denormal numbers
-/// counting as 0; where none can be started, in this one. Returns their number when all are done.
+/// counting as 0. For one thread, and where none can be started, this one does the work. Returns
+/// their number when all are done.
 /// Throws the first exception that `work` throws in any of them, when all are done.
 int run_in_threads(int threads, const std::function<void()>& work);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <mutex>
 #include <stdexcept>
 
@@ -19,7 +18,7 @@ namespace raytracing {
 namespace {
 
 constexpr std::uint64_t kRepetitionFactor = 4;
-constexpr int kGroupSpp = 2;  // samples of a pixel whose paths are shared
+constexpr int kGroupPictures = 3;  // whose samples are taken as one measurement
 constexpr int kGroupPixels = PixelGroups::kMaxEdge * PixelGroups::kMaxEdge;
 
 // Sets the moments of the pixels' means; two passes avoid cancellation.
@@ -51,11 +50,10 @@ struct PreparedSetting {
   const std::atomic<bool>& stop;
 };
 
-/// The samples of one pixel, or of one picture whose pixels share paths.
+/// The samples of one pixel, or of pictures whose pixels share paths.
 struct SampleSum {
   double sum = 0, largest = 0;
   std::uint64_t not_finite = 0;
-  double other_threads_seconds = 0;  // processor time
 
   void add(double value) {
     if (std::isfinite(value) && value >= 0) {
@@ -80,21 +78,22 @@ SampleSum sample_pixel(const PreparedSetting& prepared, const PathOptions& optio
   return result;
 }
 
-// The samples of a picture of the size of a group, in the default mode of rendering.
-SampleSum sample_group(const PreparedSetting& prepared, const PathOptions& path,
-                       std::uint64_t seed) {
+// The samples of pictures of the size of a group, in the default mode of rendering. With one sample
+// per pixel, each pixel's value is that of a sample.
+SampleSum sample_groups(const PreparedSetting& prepared, const PathOptions& path,
+                        std::uint64_t seed) {
   RenderOptions options;
   options.width = options.height = options.reuse = PixelGroups::kMaxEdge;
-  options.spp = kGroupSpp;
+  options.spp = 1;
   options.path = path;
-  options.seed = seed;
-  const RenderResult picture = render(prepared.scene, options, prepared.stop, {});
   SampleSum result;
-  result.not_finite = picture.non_finite_samples;
-  result.other_threads_seconds = picture.cpu_seconds;
-  for (int y = 0; y < options.height; ++y)
-    for (int x = 0; x < options.width; ++x)
-      result.add(kGroupSpp * static_cast<double>(picture.film.at(x, y).mean().x));
+  for (std::uint64_t i = 0; i < kGroupPictures; ++i) {
+    options.seed = kGroupPictures * seed + i;
+    const RenderResult picture = render(prepared.scene, options, prepared.stop, {});
+    result.not_finite += picture.non_finite_samples;
+    for (int y = 0; y < options.height; ++y)
+      for (int x = 0; x < options.width; ++x) result.add(picture.film.at(x, y).mean().x);
+  }
   return result;
 }
 
@@ -103,27 +102,26 @@ void measure(const PreparedSetting& prepared, std::uint64_t first, std::uint64_t
              StressCell& cell) {
   const PathOptions options{cell.method, prepared.stress.max_depth, prepared.line_rays};
   const bool shared = prepared.stress.shares_paths;
-  cell.samples = shared ? kGroupSpp * kGroupPixels : kStressSpp;
+  cell.samples = shared ? kGroupPictures * kGroupPixels : kStressSpp;
   RayQueries rays(prepared.scene);
   std::vector<double> pixels;
   cell.not_finite = 0;
   cell.largest_sample = 0;
-  double total = 0, dark = 0, seconds = 0;
+  double total = 0, dark = 0;
   const double start = thread_cpu_seconds();
   for (std::uint64_t seed = first; seed < first + count && !prepared.stop; ++seed)
     for (std::uint32_t x = 0; x < kPixelsPerSeed; ++x) {
-      const SampleSum pixel = shared ? sample_group(prepared, options, seed * kPixelsPerSeed + x)
+      const SampleSum pixel = shared ? sample_groups(prepared, options, seed * kPixelsPerSeed + x)
                                      : sample_pixel(prepared, options, rays, seed, x);
       cell.not_finite += pixel.not_finite;
       cell.largest_sample = std::max(cell.largest_sample, pixel.largest);
-      seconds += pixel.other_threads_seconds;
       total += pixel.sum;
       dark += pixel.sum == 0;
       pixels.push_back(pixel.sum / cell.samples);
     }
   const auto count_of_pixels = static_cast<double>(pixels.size());
   cell.pixels = pixels.size();
-  seconds += thread_cpu_seconds() - start;
+  const double seconds = thread_cpu_seconds() - start;
   cell.nanoseconds = 1e9 * seconds / (cell.samples * count_of_pixels);
   cell.largest_share = total > 0 ? cell.largest_sample / total : 0;
   cell.dark_pixels = dark / count_of_pixels;
@@ -170,32 +168,23 @@ struct SettingTask {
   std::vector<StressCell> cells;
 };
 
-// Does the tasks in several threads and rethrows what one of them throws. False when stopped.
+// Does the tasks in several threads. False when stopped.
 bool do_tasks(std::vector<SettingTask>& tasks, const StressPlan& plan, double critical_z,
               const std::atomic<bool>& stop,
               const std::function<void(std::uint64_t, std::uint64_t)>& progress) {
   std::atomic<std::size_t> next = 0;
-  std::mutex mutex;  // guards all below
+  std::mutex mutex;  // guards `done` and `progress`
   std::uint64_t done = 0;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < tasks.size() && !stop; i = next++) {
-        tasks[i].cells =
-            measure_setting(*tasks[i].stress_case, *tasks[i].setting, plan, critical_z, stop);
-        if (stop) return;  // the task may be incomplete
-        const std::lock_guard lock(mutex);
-        ++done;
-        if (progress) progress(done, tasks.size());
-      }
-    } catch (...) {
+  run_in_threads(plan.threads, [&] {
+    for (std::size_t i = next++; i < tasks.size() && !stop; i = next++) {
+      tasks[i].cells =
+          measure_setting(*tasks[i].stress_case, *tasks[i].setting, plan, critical_z, stop);
+      if (stop) return;  // the task may be incomplete
       const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-      next = tasks.size();
+      ++done;
+      if (progress) progress(done, tasks.size());
     }
-  };
-  run_in_threads(plan.threads, work);
-  if (failure) std::rethrow_exception(failure);
+  });
   return done == tasks.size();
 }
 

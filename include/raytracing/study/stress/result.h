@@ -24,7 +24,7 @@ struct StressCell {
   const DirectMethod* method;
   StressTruth truth;
   std::uint64_t pixels = 0;
-  int samples = 0;  ///< of each pixel, or of a picture whose pixels share paths
+  int samples = 0;  ///< of each pixel, or of the pictures whose pixels share paths
   double mean = 0;
   double standard_error = 0;  ///< of the mean
   double skewness = 0;        ///< of the pixels
