@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfloat>
 #include <unordered_map>
 
-#include "obj_mesh_builder.h"
 #include "text_cursor.h"
 
 namespace raytracing {
@@ -16,98 +16,129 @@ constexpr int kMostUnknownKeywords = 20;
 // The vertices, texture coordinates or normals, which faces refer to by number.
 struct Pool {
   const char* noun;
-  std::int64_t count = 0;          // defined so far
-  std::int64_t highest = 0;        // highest number used; it may be defined later in the file
-  std::int64_t limit = INT64_MAX;  // highest number allowed, once the whole file is known
+  std::int64_t count = 0;          // the number of those read so far
+  std::int64_t limit = INT64_MAX;  // their number in the whole file, once it is known
 };
 
+// Reads a file once. If a face precedes what it refers to, the file is read again, and that time
+// faces find everything in the mesh of the first reading.
 class ObjParser {
  public:
-  ObjParser(std::string_view text, const std::string& file, LoadReport& report)
-      : text_(text), report_(report), cursor_(text, file) {}
+  // All arguments must outlive the parser. `first` is the first reading, or null.
+  ObjParser(std::string_view text, const std::string& file, LoadReport& report,
+            const ObjParser* first);
 
-  // Parses the text but does not check whether numbers are too high.
-  void run();
-  // True if every number used is defined somewhere in the file.
-  bool complete() const;
-  // Parses with the counts of `other` as limits: throws at the first number beyond them.
-  void rerun_within(const ObjParser& other);
-
-  ObjModel take();
+  void run() {
+    while (!cursor_.at_end()) record();
+  }
+  // Returns true if a face precedes what it refers to. Faces are then incomplete.
+  bool refers_ahead() const { return refers_ahead_; }
+  ObjModel take() { return std::move(model_); }
 
  private:
+  struct Keyword {
+    std::string_view name;
+    void (ObjParser::*read)(const TextPlace& where);
+  };
+  static const Keyword kKeywords[];
+
   void record();
   void vertex(const TextPlace& where);
   void vertex_normal(const TextPlace& where);
+  void texture_coordinate(const TextPlace& where) {
+    ++textures_.count;
+    ignore(where, "texture coordinate");
+  }
   void face(const TextPlace& where);
   PolygonMesh::Corner corner();
   std::uint32_t index(Pool& pool);
+  bool remove_repeated_corners(std::size_t first);
+  bool has_area(std::size_t first);
   void use_material(const TextPlace& where);
   std::uint32_t find_material(const std::string& name, const TextPlace& where);
   void libraries(const TextPlace& where);
-  void note(Severity severity, std::string_view kind, const TextPlace& where) {
-    report_.add(severity, kind, cursor_.file(), where);
-  }
+  void line(const TextPlace& where) { ignore(where, "line"); }
+  void point(const TextPlace& where) { ignore(where, "point"); }
+  void parameter_vertex(const TextPlace& where) { ignore(where, "parameter-space vertex"); }
+  void group(const TextPlace&) { cursor_.skip_record(); }
   void ignore(const TextPlace& where, std::string_view kind) {
     note(Severity::ignored, kind, where);
     cursor_.skip_record();
   }
+  void note(Severity severity, std::string_view kind, const TextPlace& where) {
+    report_.add(severity, kind, cursor_.file(), where);
+  }
 
-  std::string_view text_;
   LoadReport& report_;
   TextCursor cursor_;
   ObjModel model_;
-  ObjMeshBuilder builder_{cursor_.file(), report_};
+  PolygonMesh& mesh_ = model_.mesh;
+  const PolygonMesh& known_;  // what faces refer to
   Pool vertices_{"vertex"}, textures_{"texture coordinate"}, normals_{"normal"};
+  bool refers_ahead_ = false;
+  bool has_zero_normals_ = false;  // so that others are not looked at
   std::unordered_map<std::string, std::uint32_t> material_numbers_;
   std::uint32_t material_ = kNone;  // kNone: not chosen yet
+  std::vector<Vec3> outline_;       // scratch memory of has_area()
 };
 
-void ObjParser::run() {
-  builder_.reserve_for(text_);
-  while (!cursor_.at_end()) record();
+// The most frequent records come first.
+constexpr ObjParser::Keyword ObjParser::kKeywords[] = {
+    {"v", &ObjParser::vertex},
+    {"f", &ObjParser::face},
+    {"vn", &ObjParser::vertex_normal},
+    {"vt", &ObjParser::texture_coordinate},
+    {"usemtl", &ObjParser::use_material},
+    {"mtllib", &ObjParser::libraries},
+    {"l", &ObjParser::line},
+    {"p", &ObjParser::point},
+    {"vp", &ObjParser::parameter_vertex},
+    {"g", &ObjParser::group},
+    {"o", &ObjParser::group},
+    {"s", &ObjParser::group},
+};
+
+// Allocates each array at about the size that it will have: growing would take twice the memory.
+// Wrong sizes, for files with an odd layout, cost address space or time but nothing else.
+void reserve(PolygonMesh& mesh, std::string_view text) {
+  std::size_t positions = 1, normals = 1, faces = 1, corners = 3;  // of the first line
+  std::size_t end = text.find('\n');
+  while (end < text.size() - 2) {
+    const char first = text[end + 1], second = text[end + 2];
+    const std::size_t start = end + 1;
+    end = text.find('\n', start);
+    positions += first == 'v' && second == ' ';
+    normals += first == 'v' && second == 'n';
+    if (first != 'f') continue;
+    ++faces;
+    const std::string_view line = text.substr(start, end - start);
+    corners += static_cast<std::size_t>(std::count(line.begin(), line.end(), ' '));
+  }
+  mesh.positions.reserve(positions);
+  mesh.normals.reserve(normals);
+  mesh.faces.reserve(faces);
+  mesh.corners.reserve(corners);
 }
 
-bool ObjParser::complete() const {
-  const auto holds = [](const Pool& pool) { return pool.highest <= pool.count; };
-  return holds(vertices_) && holds(textures_) && holds(normals_);
-}
-
-void ObjParser::rerun_within(const ObjParser& other) {
-  vertices_.limit = other.vertices_.count;
-  textures_.limit = other.textures_.count;
-  normals_.limit = other.normals_.count;
-  while (!cursor_.at_end()) record();
-}
-
-ObjModel ObjParser::take() {
-  model_.mesh = builder_.finish();
-  return std::move(model_);
+ObjParser::ObjParser(std::string_view text, const std::string& file, LoadReport& report,
+                     const ObjParser* first)
+    : report_(report), cursor_(text, file), known_(first ? first->mesh_ : mesh_) {
+  if (text.size() > 2) reserve(mesh_, text);
+  if (!first) return;
+  vertices_.limit = first->vertices_.count;
+  textures_.limit = first->textures_.count;
+  normals_.limit = first->normals_.count;
+  has_zero_normals_ = first->has_zero_normals_;
 }
 
 void ObjParser::record() {
   cursor_.skip_blanks();
   if (cursor_.at_record_end()) return cursor_.finish_record();
   const TextPlace where = cursor_.place();
-  // The most frequent records, without a search for the end of the keyword.
-  if (cursor_.accept_keyword('f')) return face(where);
-  if (cursor_.accept_keyword('v')) return vertex(where);
-  if (cursor_.accept_keyword('v', 'n')) return vertex_normal(where);
-  const std::string_view keyword = cursor_.token();
-  if (keyword == "v") return vertex(where);
-  if (keyword == "f") return face(where);
-  if (keyword == "vn") return vertex_normal(where);
-  if (keyword == "vt") {
-    ++textures_.count;
-    return ignore(where, "texture coordinate");
-  }
-  if (keyword == "usemtl") return use_material(where);
-  if (keyword == "mtllib") return libraries(where);
-  if (keyword == "g" || keyword == "o" || keyword == "s") return cursor_.skip_record();
-  if (keyword == "l") return ignore(where, "line");
-  if (keyword == "p") return ignore(where, "point");
-  if (keyword == "vp") return ignore(where, "parameter-space vertex");
-  report_.add_keyword("unknown keyword", keyword, cursor_.file(), where, kMostUnknownKeywords);
+  const std::string_view name = cursor_.token();
+  for (const Keyword& keyword : kKeywords)
+    if (name == keyword.name) return (this->*keyword.read)(where);
+  report_.add_keyword("unknown keyword", name, cursor_.file(), where, kMostUnknownKeywords);
   cursor_.skip_record();
 }
 
@@ -115,7 +146,7 @@ void ObjParser::record() {
 void ObjParser::vertex(const TextPlace& where) {
   const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
   if (vertices_.count >= kNone) cursor_.fail(where, "too many vertices");
-  builder_.add_position({x, y, z});
+  mesh_.positions.emplace_back(x, y, z);
   ++vertices_.count;
   cursor_.skip_blanks();
   if (!cursor_.at_record_end()) {
@@ -138,8 +169,16 @@ void ObjParser::vertex_normal(const TextPlace& where) {
   const float x = cursor_.number("x"), y = cursor_.number("y"), z = cursor_.number("z");
   cursor_.finish_record();
   if (normals_.count >= kNone) cursor_.fail(where, "too many normals");
-  builder_.add_normal({x, y, z}, where);
   ++normals_.count;
+  Vec3 normal(x, y, z);
+  const float squared = dot(normal, normal);
+  if (normal == Vec3(0.0f)) {
+    note(Severity::repaired, "normal of length zero", where);
+    has_zero_normals_ = true;
+  } else if (!(squared >= FLT_MIN && squared <= FLT_MAX)) {
+    normal /= max_component(absolute(normal));  // or normalizing it would give 0 or NaN
+  }
+  mesh_.normals.push_back(normal);
 }
 
 // Reads an index, which counts from 1, or backwards from the last record if it is negative. Returns
@@ -156,7 +195,8 @@ std::uint32_t ObjParser::index(Pool& pool) {
       cursor_.fail(where, std::string(pool.noun) + " index " + std::to_string(number) +
                               " is out of range; the file has " + std::to_string(pool.limit));
     }
-    pool.highest = std::max(pool.highest, number);
+    const bool whole_file_known = pool.limit != INT64_MAX;
+    if (number > pool.count && !whole_file_known) refers_ahead_ = true;
     return static_cast<std::uint32_t>(std::min<std::int64_t>(number, kNone) - 1);
   }
   if (number == 0) return kNone;
@@ -180,6 +220,9 @@ PolygonMesh::Corner ObjParser::corner() {
       more = cursor_.accept('/');
     }
     if (more && !cursor_.at_separator()) corner.normal = index(normals_);
+    if (has_zero_normals_ && corner.normal < known_.normals.size() &&
+        known_.normals[corner.normal] == Vec3(0.0f))
+      corner.normal = kNone;
   }
   if (!cursor_.at_separator()) {
     const TextPlace rest = cursor_.place();
@@ -189,17 +232,47 @@ PolygonMesh::Corner ObjParser::corner() {
 }
 
 void ObjParser::face(const TextPlace& where) {
-  std::size_t count = 0;
-  for (cursor_.skip_blanks(); !cursor_.at_record_end(); cursor_.skip_blanks(), ++count)
-    builder_.add_corner(corner());
-  if (count < 3) {
+  auto& corners = mesh_.corners;
+  const std::size_t first = corners.size();
+  for (cursor_.skip_blanks(); !cursor_.at_record_end(); cursor_.skip_blanks())
+    corners.push_back(corner());
+  if (corners.size() < first + 3) {
     cursor_.fail(cursor_.place(), "truncated record: a face needs at least 3 corners, found " +
-                                      std::to_string(count));
+                                      std::to_string(corners.size() - first));
   }
   cursor_.finish_record();
-  if (builder_.corner_count() >= kNone) cursor_.fail(where, "too many face corners");
+  if (corners.size() >= kNone) cursor_.fail(where, "too many face corners");
   if (material_ == kNone) material_ = find_material("", where);
-  builder_.end_face(material_, where);
+  const bool repeated = remove_repeated_corners(first);
+  const char* fault = nullptr;
+  if (corners.size() < first + 3)
+    fault = "face with fewer than 3 different corners";
+  else if (!refers_ahead_ && !has_area(first))
+    fault = "face without area";
+  if (fault) {
+    corners.resize(first, {});
+    return note(Severity::dropped, fault, where);
+  }
+  if (repeated) note(Severity::repaired, "face with a repeated corner", where);
+  mesh_.faces.push_back({static_cast<std::uint32_t>(first),
+                         static_cast<std::uint32_t>(corners.size() - first), material_});
+}
+
+// Keeps one of each run of corners at the same vertex, where the first corner follows the last.
+bool ObjParser::remove_repeated_corners(std::size_t first) {
+  auto& corners = mesh_.corners;
+  const std::size_t before = corners.size();
+  const auto same = [](const auto& a, const auto& b) { return a.position == b.position; };
+  corners.erase(std::unique(corners.begin() + first, corners.end(), same), corners.end());
+  while (corners.size() > first + 1 && same(corners.back(), corners[first])) corners.pop_back();
+  return corners.size() < before;
+}
+
+bool ObjParser::has_area(std::size_t first) {
+  outline_.clear();
+  for (std::size_t i = first; i < mesh_.corners.size(); ++i)
+    outline_.push_back(known_.positions[mesh_.corners[i].position]);
+  return newell_normal(outline_) != DVec3(0.0);
 }
 
 void ObjParser::use_material(const TextPlace& where) {
@@ -251,13 +324,16 @@ void ObjParser::libraries(const TextPlace& keyword) {
 }  // namespace
 
 ObjModel parse_obj(std::string_view text, const std::string& file, LoadReport& report) {
-  ObjParser parser(text, file, report);
-  parser.run();
-  if (!parser.complete()) {
-    LoadReport unused;
-    ObjParser(text, file, unused).rerun_within(parser);
+  LoadReport first_report = report;
+  ObjParser first(text, file, first_report, nullptr);
+  first.run();
+  if (!first.refers_ahead()) {
+    report = std::move(first_report);
+    return first.take();
   }
-  return parser.take();
+  ObjParser second(text, file, report, &first);
+  second.run();
+  return second.take();
 }
 
 }  // namespace raytracing

@@ -1,26 +1,8 @@
 #include "text_cursor.h"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <system_error>
+#include <cstdlib>
 
 namespace raytracing {
-
-ParsedNumber round_slowly(const char* digits, const char* end, bool negative, long exponent) {
-  float value = 0;
-  const auto [stop, error] = std::from_chars(digits, end, value);
-  if (error == std::errc::result_out_of_range || std::isinf(value)) {
-    // from_chars does not distinguish overflow from underflow: find the decimal magnitude.
-    const char* const point = std::find_if_not(digits, end, is_digit);
-    const char* const first =
-        std::find_if(digits, end, [](char c) { return c >= '1' && c <= '9'; });
-    const long magnitude = exponent + static_cast<long>(point - first);
-    if (magnitude > 0) return {end, 0, NumberStatus::too_large};
-    value = 0;
-  }
-  return {end, negative ? -value : value, NumberStatus::ok};
-}
 
 TextCursor::TextCursor(std::string_view text, const std::string& file)
     : at_(text.data()), end_(text.data() + text.size()), line_start_(text.data()), file_(&file) {
@@ -61,19 +43,24 @@ void TextCursor::skip_record() {
   skip_line_end();
 }
 
-std::uint64_t TextCursor::magnitude_of_many(const char* digits, const char* end) {
-  std::uint64_t magnitude = 0;
-  for (; digits != end && magnitude < 1'000'000'000'000; ++digits)
-    magnitude = 10 * magnitude + static_cast<std::uint64_t>(*digits - '0');
-  return magnitude;
-}
-
 void TextCursor::fail(const TextPlace& where, const std::string& message) const {
   throw InputError(location(where), message);
 }
 
-void TextCursor::bad_number(const char* start, const char* what) {
-  const bool too_large = parse_float(start, end_).status == NumberStatus::too_large;
+float TextCursor::extreme_number(const char* stop, const char* what) {
+  const char* const start = at_;
+  const std::string digits(after_plus(), stop);
+  // Without a digit there is no number, but nothing, "inf" or "nan".
+  if (digits.find_first_of("0123456789") == std::string::npos) bad_number(start, what);
+  // std::from_chars does not tell numbers that are too small from those that are too large.
+  const float value = std::strtof(digits.c_str(), nullptr);
+  if (std::isinf(value)) bad_number(start, what, true);
+  at_ = stop;
+  if (!at_separator()) bad_number(start, what);
+  return value;
+}
+
+void TextCursor::bad_number(const char* start, const char* what, bool too_large) {
   at_ = start;
   const TextPlace where = place();
   const std::string expected = std::string("expected ") + what;
@@ -81,8 +68,7 @@ void TextCursor::bad_number(const char* start, const char* what) {
   const std::string_view found = token();
   if (found.find(',') != std::string_view::npos)
     fail(where, expected + ", found " + quoted(found) + "; use a point as the decimal mark");
-  if (too_large) fail(where, expected + ", found " + quoted(found) + ", too large for a float");
-  fail(where, expected + ", found " + quoted(found));
+  fail(where, expected + ", found " + quoted(found) + (too_large ? ", too large for a float" : ""));
 }
 
 void TextCursor::unexpected_text() {
