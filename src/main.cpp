@@ -1,3 +1,3 @@
-#include "raytracing/cli/app.h"
+#include "cli/app.h"
 
 int main(int argc, char** argv) { return raytracing::run(argc, argv); }

@@ -8,9 +8,8 @@
 #include <optional>
 
 #include "build_info.h"
-#include "commands.h"
+#include "app.h"
 #include "common_options.h"
-#include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/sampling/sampler.h"
 #include "raytracing/study/chart/runs.h"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 #include "scene_input.h"
 
 namespace raytracing {

@@ -8,9 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "commands.h"
+#include "app.h"
 #include "common_options.h"
-#include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_info.h"
-#include "raytracing/cli/app.h"
+#include "app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"

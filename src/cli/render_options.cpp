@@ -9,7 +9,7 @@
 #include "raytracing/io/image.h"
 #include "raytracing/render/pixel_groups.h"
 #include "raytracing/sampling/sampler.h"
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 #include "scene_input.h"
 
 namespace raytracing {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "commands.h"
+#include "app.h"
 #include "common_options.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"

@@ -11,7 +11,7 @@
 #include "raytracing/integrator/direct_method.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/math/numeric.h"
-#include "raytracing/scene/recenter.h"
+#include "raytracing/scene/description.h"
 #include "terminal.h"
 
 namespace raytracing {

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "build_info.h"
-#include "commands.h"
+#include "app.h"
 #include "common_options.h"
-#include "raytracing/cli/app.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/study/page/result_folder.h"

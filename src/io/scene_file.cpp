@@ -9,7 +9,7 @@
 #include "model_loader.h"
 #include "raytracing/io/file.h"
 #include "raytracing/sampling/sampler.h"
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 #include "toml.h"
 
 namespace raytracing {

@@ -11,7 +11,7 @@
 #include "raytracing/io/scene_file.h"
 #include "raytracing/lights/chord.h"
 #include "raytracing/sampling/warp.h"
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 #include "support/statistics.h"
 
 namespace raytracing {

@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/io/load_report.h"
 
 namespace raytracing::fuzz {
 

@@ -1,4 +1,4 @@
-#include "raytracing/io/load_report.h"
+#include "raytracing/io/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "raytracing/io/load_report.h"
+#include "raytracing/io/errors.h"
 
 namespace raytracing {
 

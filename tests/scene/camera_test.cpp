@@ -1,4 +1,4 @@
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 
 #include <gtest/gtest.h>
 

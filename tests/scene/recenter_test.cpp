@@ -1,6 +1,6 @@
 // Scenes far from the origin are found and recentered without rounding.
 
-#include "raytracing/scene/recenter.h"
+#include "raytracing/scene/description.h"
 
 #include <gtest/gtest.h>
 

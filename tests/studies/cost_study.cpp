@@ -6,7 +6,7 @@
 #include "raytracing/io/scene_file.h"
 #include "raytracing/lights/chord.h"
 #include "raytracing/render/threads.h"
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 #include "raytracing/study/metrics/statistics.h"
 #include "studies/study.h"
 #include "support/scenes.h"

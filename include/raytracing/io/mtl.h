@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "raytracing/io/load_report.h"
+#include "raytracing/io/errors.h"
 #include "raytracing/math/vec.h"
 #include "raytracing/scene/description.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "raytracing/geometry/polygon_mesh.h"
-#include "raytracing/io/load_report.h"
+#include "raytracing/io/errors.h"
 
 namespace raytracing {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "raytracing/io/load_report.h"
+#include "raytracing/io/errors.h"
 #include "raytracing/scene/description.h"
 
 namespace raytracing {

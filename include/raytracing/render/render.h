@@ -9,7 +9,7 @@
 
 #include "raytracing/integrator/path_tracer.h"
 #include "raytracing/render/film.h"
-#include "raytracing/scene/camera.h"
+#include "raytracing/scene/description.h"
 
 namespace raytracing {
 

@@ -12,7 +12,7 @@
 #include "raytracing/render/pixel_groups.h"
 #include "raytracing/render/render.h"
 #include "raytracing/render/threads.h"
-#include "raytracing/scene/recenter.h"
+#include "raytracing/scene/description.h"
 
 namespace raytracing {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-// The subcommands of the program. Each is defined in the source file of its name.
+// The program and its subcommands. Each of these is defined in the source file of its name.
 
 #include <span>
 #include <string>
@@ -7,6 +7,19 @@
 #include <vector>
 
 namespace raytracing {
+
+/// The exit codes of the program, a contract with scripts.
+enum ExitCode {
+  kExitGood = 0,
+  kExitCheckFailed = 1,  ///< a result differs, a check failed, or an unexpected error
+  kExitUsage = 2,
+  kExitBadInput = 3,
+  kExitOutputFailed = 4,
+  kExitSignalBase = 128,  ///< plus the signal: 130 after SIGINT, 143 after SIGTERM
+};
+
+/// Runs the program. Every error becomes one line on stderr and an exit code.
+int run(int argc, char** argv);
 
 /// The command line of a subcommand.
 struct Arguments {

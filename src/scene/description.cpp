@@ -1,8 +1,10 @@
-#include "raytracing/scene/recenter.h"
+#include "raytracing/scene/description.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "raytracing/math/numeric.h"
 
 namespace raytracing {
 namespace {
@@ -31,6 +33,22 @@ Bounds bounds_of(const SceneDescription& scene) {
 }
 
 }  // namespace
+
+Camera::Camera(const CameraDescription& d, int width, int height) : origin_(d.origin) {
+  const Vec3 forward = normalize(d.target - d.origin);
+  const Vec3 right = normalize(cross(forward, d.up));
+  const Vec3 up = cross(right, forward);
+  const float half_height = std::tan(d.vertical_fov * (kPi / 360));
+  const float pixel = 2 * half_height / static_cast<float>(height);
+  step_x_ = pixel * right;
+  step_y_ = -pixel * up;
+  corner_ = forward - 0.5f * static_cast<float>(width) * step_x_ -
+            0.5f * static_cast<float>(height) * step_y_;
+}
+
+Ray Camera::ray(float x, float y) const {
+  return {origin_, normalize(corner_ + x * step_x_ + y * step_y_)};
+}
 
 Recentering find_recentering(const SceneDescription& scene) {
   const auto [low, high] = bounds_of(scene);
