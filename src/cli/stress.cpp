@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "build_info.h"
 #include "app.h"
+#include "build_info.h"
 #include "common_options.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
