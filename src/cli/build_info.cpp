@@ -41,14 +41,14 @@ const char* instruction_set() {
 #endif
 }
 
-// Build type, compiler and instruction set on one line.
+// Describes build type, compiler and instruction set on one line.
 std::string build_description() {
   return fmt::format("{}, {}, {}, {}", RAYTRACING_BUILD_TYPE,
                      is_optimised() ? "optimised" : "not optimised", "compiler " __VERSION__,
                      instruction_set());
 }
 
-// The processor and the number of its threads, as far as the system shows them.
+// Describes the processor and the number of its threads, as far as the system shows them.
 std::string machine_description() {
   std::string processor = "unknown processor";
   std::ifstream file("/proc/cpuinfo");

@@ -7,20 +7,21 @@
 
 namespace raytracing {
 
-/// Whether the compiler optimised this build.
+/// Returns whether the compiler optimised this build.
 bool is_optimised();
 
-/// The facts about the program and the machine: software, build, machine.
+/// Returns the facts about the program and the machine: software, build, machine.
 RunFacts program_facts();
 
-/// A hash of the running program's file, in hexadecimal digits; "unknown" where the system does not
-/// show it.
+/// Returns a hash of the running program's file, in hexadecimal digits; "unknown" where the system
+/// does not show it.
 std::string program_hash();
 
-/// The largest resident memory of this process so far.
+/// Returns the largest resident memory of this process so far.
 std::uint64_t peak_rss_bytes();
 
-/// The text of --version: version, build, instruction set, libraries and formats, line by line.
+/// Returns the text of --version: version, build, instruction set, libraries and formats, line by
+/// line.
 std::string version_text();
 
 }  // namespace raytracing

@@ -31,17 +31,20 @@ void add_measurement_options(OptionList& options, ChartRequest& request) {
   add_methods_option(options, s.methods);
   options.list(
       "--spp", s.spp, "N,N,...",
-      [](const std::string& text) { return whole_number("--spp", text, 1, kMaxSpp); },
+      [](const std::string& text) {
+        return std::uint64_t{std::stoull(checked("--spp", text, whole_number(1, kMaxSpp)))};
+      },
       fmt::format("Sample counts per pixel. Default: {}.", fmt::join(s.spp, ",")));
   options.number(
       "--seeds", s.seeds, 1, kMaxSeeds,
       "Runs of each method at each sample count, each with a seed of its own; at least 2 "
       "are needed to estimate bias.");
-  options.text("--reference", request.reference, "FILE|auto",
-               "Reference image in EXR format. With auto, it is rendered with seeds of its own and "
-               "kept in DIR, in two halves from which its noise is estimated. The noise of other "
-               "files is known if they were rendered with --variance --reuse 1 and either "
-               "--sampler independent or --replicates. Default: auto.");
+  options.value(
+      "--reference", request.reference, "FILE|auto",
+      "Reference image in EXR format. With auto, it is rendered with seeds of its own and "
+      "kept in DIR, in two halves from which its noise is estimated. The noise of other "
+      "files is known if they were rendered with --variance --reuse 1 and either "
+      "--sampler independent or --replicates. Default: auto.");
   options.real("--reference-time", request.reference_seconds, 0.001, 1e9,
                "Seconds to spend on rendering the reference.");
   add_mask_option(options, request.mask);
@@ -56,7 +59,7 @@ ChartArguments parse_chart_arguments(const Arguments& arguments) {
       "paths, as with render --reuse 1.",
       "Raytracing chart");
   add_scene_option(options, a.scene);
-  options.text(
+  options.value(
       "--out", s.folder, "DIR",
       "Folder for tables, charts and report.html. Its subfolder runs keeps the image of every "
       "run, with at most 12 bytes per pixel.");
@@ -79,7 +82,7 @@ ChartArguments parse_chart_arguments(const Arguments& arguments) {
   return a;
 }
 
-// The settings of the command line, completed from the scene file.
+// Completes the settings of the command line from the scene file.
 ChartRequest chart_request(const ChartArguments& a, const SceneFile& file,
                            const std::string& command_line) {
   ChartRequest request = a.request;

@@ -26,9 +26,9 @@ RunArguments::RunArguments()
     : threads(std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
 
 void add_scene_option(OptionList& options, std::string& scene) {
-  options.text("--scene,scene", scene, "FILE",
-               "Scene file in TOML format. A name without a directory is also looked up among the "
-               "installed scenes, with or without its extension: cornell or cornell.toml.");
+  options.value("--scene,scene", scene, "FILE",
+                "Scene file in TOML format. A name without a directory is also looked up among the "
+                "installed scenes, with or without its extension: cornell or cornell.toml.");
   options.refuse_extra_with([&scene](const std::string& argument) {
     return argument + ": one argument too many; the scene file is " + scene;
   });
@@ -55,7 +55,7 @@ void add_path_options(OptionList& options, SceneArguments& a) {
   options.number("--max-depth", a.max_depth, 1, kMaxDepth,
                  "Maximum number of surface reflections along a path; 1 renders direct light only. "
                  "Default: unlimited, with Russian roulette.");
-  options.choice<SamplerKind, SamplerKind>(
+  options.choice<SamplerKind>(
       "--sampler", a.sampler,
       {{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}},
       "Source of random numbers: sobol (Owen-scrambled Sobol' points) or independent (uniform "
@@ -73,33 +73,32 @@ void add_methods_option(OptionList& options, std::vector<const DirectMethod*>& m
   options.list(
       "--methods", methods, "A,B,...",
       [](const std::string& name) {
-        return &direct_methods()[index_of_name("--methods", name, direct_method_names())];
+        return find_direct_method(checked("--methods", name, one_of(direct_method_names())));
       },
       "Direct-light methods to measure: any of " + alternatives(direct_method_names()) +
           ". Default: all.");
 }
 
 void add_mask_option(OptionList& options, std::string& mask) {
-  options.text("--mask", mask, "FILE",
-               "Image of the same size that selects the pixels to measure: those where the mean "
-               "of its linear R, G and B is at least 0.5. Default: all pixels.");
+  options.value("--mask", mask, "FILE",
+                "Image of the same size that selects the pixels to measure: those where the mean "
+                "of its linear R, G and B is at least 0.5. Default: all pixels.");
 }
 
 void add_run_options(OptionList& options, RunArguments& a) {
-  options.parsed(
-      "--threads", "N",
-      [&a](const std::string& text) {
-        a.threads = static_cast<int>(whole_number("--threads", text, 1, kMaxThreads));
-      },
-      "Number of threads; the computed values do not depend on it. Default: all hardware threads.");
-  options.choice<ProgressStyle, ProgressStyle>("--progress", a.progress,
-                                               {{"auto", ProgressStyle::automatic},
-                                                {"bar", ProgressStyle::bar},
-                                                {"jsonl", ProgressStyle::jsonl},
-                                                {"none", ProgressStyle::none}},
-                                               "Progress display on stderr: auto (a bar if stderr "
-                                               "is a terminal, otherwise none), bar, jsonl (one "
-                                               "JSON object per line) or none. Default: auto.");
+  options
+      .value("--threads", a.threads, "N",
+             "Number of threads; the computed values do not depend on it. Default: all hardware "
+             "threads.")
+      ->transform(whole_number(1, kMaxThreads));
+  options.choice<ProgressStyle>("--progress", a.progress,
+                                {{"auto", ProgressStyle::automatic},
+                                 {"bar", ProgressStyle::bar},
+                                 {"jsonl", ProgressStyle::jsonl},
+                                 {"none", ProgressStyle::none}},
+                                "Progress display on stderr: auto (a bar if stderr "
+                                "is a terminal, otherwise none), bar, jsonl (one "
+                                "JSON object per line) or none. Default: auto.");
   options.flag("--quiet", a.quiet,
                "Print only errors and warnings: no progress, no summary, no names of written "
                "files.");

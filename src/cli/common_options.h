@@ -33,29 +33,29 @@ struct SceneArguments : RunArguments {
   SamplerKind sampler = SamplerKind::sobol;
 };
 
-/// --scene, also as the only positional argument.
+/// Adds --scene, also as the only positional argument.
 void add_scene_option(OptionList& options, std::string& scene);
 
 /// Replaces the scene's name by the path of its file. Throws UsageError if there is no name and
 /// InputError, which lists what was looked for and ends with `hint`, if there is no such file.
 void resolve_scene(std::string& scene, const std::string& hint = "");
 
-/// --width and --height.
+/// Adds --width and --height.
 void add_size_options(OptionList& options, SceneArguments& a);
 
-/// --max-depth and --sampler.
+/// Adds --max-depth and --sampler.
 void add_path_options(OptionList& options, SceneArguments& a);
 
-/// --line-rays.
+/// Adds --line-rays.
 void add_line_rays_option(OptionList& options, RunArguments& a);
 
-/// --methods: a list of direct-light methods; all of them by default.
+/// Adds --methods: a list of direct-light methods; all of them by default.
 void add_methods_option(OptionList& options, std::vector<const DirectMethod*>& methods);
 
-/// --mask.
+/// Adds --mask.
 void add_mask_option(OptionList& options, std::string& mask);
 
-/// --threads, --progress and --quiet.
+/// Adds --threads, --progress and --quiet.
 void add_run_options(OptionList& options, RunArguments& a);
 
 /// Throws UsageError if an output is the same file as an input or another output, even by another

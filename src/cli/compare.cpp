@@ -33,20 +33,22 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
       "Compares image A with the reference image B. Both are EXR or PNG files; PNG values are "
       "decoded from sRGB to linear.",
       "Raytracing compare");
-  options.text("A", a.test, "FILE", "Image to evaluate.");
-  options.text("B", a.reference, "FILE", "Reference image.");
+  options.value("A", a.test, "FILE", "Image to evaluate.");
+  options.value("B", a.reference, "FILE", "Reference image.");
   add_mask_option(options, a.mask);
-  options.text("--diff", a.diff, "FILE",
-               "Write the relative squared error of each pixel in false colour, .png or .exr, from "
-               "black (1e-5 or less) to light yellow (10 or more). Pixels that are not finite are "
-               "cyan, pixels outside the mask grey.");
-  options.text("--z-scores", a.z_scores, "FILE",
-               "Write the z-score of each channel of each pixel to this .exr file; NaN where it is "
-               "undefined. At least one image needs variance channels.");
+  options.value(
+      "--diff", a.diff, "FILE",
+      "Write the relative squared error of each pixel in false colour, .png or .exr, from "
+      "black (1e-5 or less) to light yellow (10 or more). Pixels that are not finite are "
+      "cyan, pixels outside the mask grey.");
+  options.value(
+      "--z-scores", a.z_scores, "FILE",
+      "Write the z-score of each channel of each pixel to this .exr file; NaN where it is "
+      "undefined. At least one image needs variance channels.");
   options.real("--max-relmse", a.max_relmse, 0, std::numeric_limits<double>::max(),
                "Fail with exit code 1 if relMSE is above X or A contains pixels that are not "
                "finite.");
-  options.text("--json", a.json, "FILE", "Write all values and their formulas as JSON.");
+  options.value("--json", a.json, "FILE", "Write all values and their formulas as JSON.");
   options.footer(
       "The input is also invalid (3) if the images differ in size, the mask selects no pixel, or\n"
       "--z-scores is given but no image has variance channels.\n");
@@ -68,7 +70,7 @@ struct Comparison {
   ExpectedScores expected;
 };
 
-// A value of the comparison, as it appears in the table and in the JSON file.
+// One value of the comparison, as it appears in the table and in the JSON file.
 struct Row {
   const char* key;
   std::string label;
@@ -144,7 +146,7 @@ void add_notes_on(const ImageData& image, const RunFacts& facts, const std::stri
                                 image.integer_bits));
 }
 
-// A table with the name, value and formula in each row.
+// Returns a table with the name, value and formula in each row.
 std::string comparison_text(const Comparison& c) {
   std::string text =
       fmt::format("x = {}\nr = {}\nmeans over R, G and B of {} pixels\n", one_line(c.test_path),
@@ -158,8 +160,8 @@ std::string comparison_text(const Comparison& c) {
   return text;
 }
 
-// The same as a JSON object. Its key "formulas" maps each name to its formula; values that are not
-// finite become null.
+// Returns the same as a JSON object. Its key "formulas" maps each name to its formula; values that
+// are not finite become null.
 std::string comparison_json(const Comparison& c) {
   nlohmann::ordered_json j, formulas;
   j["test"] = c.test_path;

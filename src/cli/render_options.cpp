@@ -32,7 +32,7 @@ std::string subcommands_text() {
   return text + "\n";
 }
 
-// Such a name is perhaps a misspelt subcommand.
+// Returns true for a name that is perhaps a misspelt subcommand.
 bool is_word(const std::string& scene) { return scene.find_first_of("./") == std::string::npos; }
 
 std::string subcommand_hint(const std::string& name) {
@@ -43,33 +43,31 @@ std::string subcommand_hint(const std::string& name) {
 
 RenderArguments::Replay parse_replay(const std::string& text) {
   const std::vector<std::string> parts = split_list(text);
-  if (parts.size() != 3) throw UsageError("--replay: '" + text + "' is not of the form X,Y,SAMPLE");
+  if (parts.size() != 3)
+    throw CLI::ValidationError("--replay", "'" + text + "' is not of the form X,Y,SAMPLE");
   const auto number = [&](std::size_t i, std::uint64_t high) {
-    return whole_number("--replay", parts[i], 0, high);
+    return std::stoull(checked("--replay", parts[i], whole_number(0, high)));
   };
   return {static_cast<int>(number(0, kMaxImageSize - 1)),
           static_cast<int>(number(1, kMaxImageSize - 1)), number(2, kMaxSpp - 1)};
 }
 
-int parse_reuse(const std::string& text) {
-  const std::uint64_t edge = whole_number("--reuse", text, 1, PixelGroups::kMaxEdge);
-  if (!std::has_single_bit(edge))
-    throw UsageError("--reuse: must be 1, 2, 4, 8 or 16, not " + text);
-  return static_cast<int>(edge);
+std::string check_power_of_two(const std::string& edge) {
+  return std::has_single_bit(std::stoull(edge)) ? "" : "must be 1, 2, 4, 8 or 16, not " + edge;
 }
 
 void add_output_options(OptionList& options, RenderArguments& a) {
-  options.texts("-o,--output", a.outputs, "FILE",
-                "Image to write: .png (sRGB, 8 bits per channel) or .exr (linear, 32-bit float). "
-                "May be repeated. Default: the name of the scene with .png, in the working "
-                "directory.");
+  options.values("-o,--output", a.outputs, "FILE",
+                 "Image to write: .png (sRGB, 8 bits per channel) or .exr (linear, 32-bit float). "
+                 "May be repeated. Default: the name of the scene with .png, in the working "
+                 "directory.");
   options.flag(
       "--variance", a.variance,
       "Add the channels variance.R, variance.G and variance.B to EXR images: the estimated "
       "variance of each pixel mean. Without --replicates, the estimate treats the samples "
       "of a pixel as independent, which is right with --sampler independent and too large "
       "with sobol.");
-  options.text("--stats", a.stats, "FILE", "Write statistics of the rendering as JSON.");
+  options.value("--stats", a.stats, "FILE", "Write statistics of the rendering as JSON.");
 }
 
 void add_sampling_options(OptionList& options, RenderArguments& a) {
@@ -83,20 +81,21 @@ void add_sampling_options(OptionList& options, RenderArguments& a) {
       "or 16 are good choices. Confidence intervals take Student's t with N-1 degrees "
       "of freedom (95 %: 2.36 standard errors for 8, 2.13 for 16). With sobol, "
       "replicates make the image slightly noisier.");
-  options.parsed(
-      "--reuse", "N", [&a](const std::string& text) { a.reuse = parse_reuse(text); },
-      fmt::format("Let groups of N x N pixels share their paths after the first bounce: 1 (no "
+  options
+      .number("--reuse", a.reuse, 1, PixelGroups::kMaxEdge,
+              fmt::format(
+                  "Let groups of N x N pixels share their paths after the first bounce: 1 (no "
                   "sharing), 2, 4, 8 or 16. The image stays unbiased and --variance stays right "
                   "for each pixel, but the errors of pixels less than {} apart ({} for N = 4) are "
                   "correlated, so the mean of a region is less accurate than that of as many "
-                  "independent pixels (N = 1).{}",
-                  PixelGroups::tile_edge(a.reuse), PixelGroups::tile_edge(4),
-                  default_text(a.reuse)));
-  std::vector<std::pair<std::string, const DirectMethod*>> methods;
-  for (const DirectMethod& m : direct_methods()) methods.emplace_back(m.name, &m);
-  options.choice("--light-sampling", a.method, methods,
-                 "Method for direct light: " + alternatives(direct_method_names()) +
-                     " (described below). Default: taken from the scene file.");
+                  "independent pixels (N = 1).",
+                  PixelGroups::tile_edge(a.reuse), PixelGroups::tile_edge(4)))
+      ->check(check_power_of_two);
+  options
+      .value("--light-sampling", a.light_sampling, "NAME",
+             "Method for direct light: " + alternatives(direct_method_names()) +
+                 " (described below). Default: taken from the scene file.")
+      ->check(one_of(direct_method_names()));
   add_line_rays_option(options, a);
   add_path_options(options, a);
   options.number("--seed", a.seed, 0, UINT64_MAX, "Seed of the random numbers.");
@@ -154,9 +153,10 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
     throw UsageError(
         fmt::format("--replicates: {} does not divide {} samples per pixel", o.replicates, o.spp));
   o.reuse = a.reuse;
-  o.path.method = a.method ? a.method : find_direct_method(scene.light_sampling);
+  const std::string method = a.light_sampling.value_or(scene.light_sampling);
+  o.path.method = find_direct_method(method);
   if (!o.path.method)  // the default of scene files is no longer in the table of methods
-    throw UsageError("--light-sampling: there is no method " + scene.light_sampling);
+    throw UsageError("--light-sampling: there is no method " + method);
   o.path.max_depth = a.max_depth;
   o.path.line_rays = a.line_rays;
   o.sampler = a.sampler;

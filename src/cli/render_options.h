@@ -22,7 +22,7 @@ struct RenderArguments : SceneArguments {
   std::optional<std::uint64_t> spp;
   std::uint64_t replicates = 1;
   int reuse = 16;
-  const DirectMethod* method = nullptr;  ///< null: the scene's
+  std::optional<std::string> light_sampling;  ///< the name of a direct-light method
   std::vector<std::string> outputs;
   std::uint64_t seed = 0;
   bool variance = false;
@@ -34,7 +34,7 @@ struct RenderArguments : SceneArguments {
 /// Parses and checks the command line. Throws UsageError; InputError if there is no such scene.
 RenderArguments parse_render_arguments(const Arguments& arguments);
 
-/// The settings of the command line, completed from the scene file. Throws UsageError if they do
+/// Completes the settings of the command line from the scene file. Throws UsageError if they do
 /// not fit together.
 RenderOptions render_options(const RenderArguments& arguments, const SceneFile& scene);
 

@@ -29,7 +29,7 @@ bool path_exists(const fs::path& path) {
   return fs::exists(path, error);
 }
 
-// The folder of the scenes that come with the program; empty if /proc is not mounted.
+// Returns the folder of the scenes that come with the program; empty if /proc is not mounted.
 fs::path scene_folder() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();

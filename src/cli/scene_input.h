@@ -10,13 +10,14 @@
 
 namespace raytracing {
 
-/// The paths at which a scene is looked up, in order: its name and, unless that has a directory,
-/// the name with the extension .toml, there and in the folder of the scenes that come with the
-/// program. That folder is <prefix>/share/raytracing/scenes for a program in <prefix>/bin, and
+/// Returns the paths at which a scene is looked up, in order: its name and, unless that has a
+/// directory, the name with the extension .toml, there and in the folder of the scenes that come
+/// with the program. That folder is <prefix>/share/raytracing/scenes for a program in <prefix>/bin,
+/// and
 /// ../scenes for a program in a build tree.
 std::vector<std::string> scene_candidates(const std::string& name);
 
-/// The first of scene_candidates() that exists, if any.
+/// Returns the first of scene_candidates() that exists, if any.
 std::optional<std::string> find_scene(const std::string& name);
 
 /// Loads and builds a scene, and reports on stderr what was repaired, dropped, ignored or doubtful.
@@ -33,7 +34,7 @@ class SceneInput {
   /// Throws InputError if `strict` and lights were repaired or dropped.
   const Scene& build(int image_height, int threads, bool with_occluders);
   double build_seconds() const { return build_seconds_; }
-  /// What build() subtracted from all positions, so that the scene lies near the origin.
+  /// Returns what build() subtracted from all positions, so that the scene lies near the origin.
   const Vec3& origin() const { return origin_; }
 
  private:

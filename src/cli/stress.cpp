@@ -45,11 +45,13 @@ StressArguments parse_stress_arguments(const Arguments& arguments) {
       "code 1 if a method that is documented as unbiased is found biased, or a sample is not "
       "finite.",
       "Raytracing stress");
-  options.text("--out", a.folder, "DIR", "Folder for stress.csv, the heat maps and stress.html.");
+  options.value("--out", a.folder, "DIR", "Folder for stress.csv, the heat maps and stress.html.");
   options.group("Measurement");
-  options.texts("--case", names, "NAME",
-                "Measure only this case. May be repeated. Default: all cases, which are listed "
-                "below.");
+  options
+      .values("--case", names, "NAME",
+              "Measure only this case. May be repeated. Default: all cases, which are listed "
+              "below.")
+      ->check(one_of(stress_case_names()));
   add_methods_option(options, a.plan.methods);
   options.number("--seeds", a.plan.seeds, 1, kMaxSeeds,
                  fmt::format("Number of seeds for each measurement; each one adds {} pixels of {} "
@@ -60,7 +62,6 @@ StressArguments parse_stress_arguments(const Arguments& arguments) {
   add_run_options(options, a);
   options.footer("\n" + cases_text());
   options.parse(arguments.values);
-  for (const std::string& name : names) index_of_name("--case", name, stress_case_names());
   for (const StressCase& c : stress_cases())  // in the order of the table
     if (names.empty() || std::find(names.begin(), names.end(), c.name) != names.end())
       a.plan.cases.push_back(&c);

@@ -19,7 +19,7 @@ void print_message(fmt::format_string<Values...> format, Values&&... values) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-/// "1 light", "2 lights"
+/// Returns "1 light", "2 lights" and so on.
 std::string counted(std::uint64_t number, const std::string& noun);
 
 enum class ProgressStyle { automatic, bar, jsonl, none };
@@ -55,7 +55,7 @@ class StopOnSignal {
   StopOnSignal& operator=(const StopOnSignal&) = delete;
 
   const std::atomic<bool>& stop() const;
-  /// The signal that was received, or 0.
+  /// Returns the signal that was received, or 0.
   int signal() const;
 };
 

@@ -19,7 +19,7 @@ std::string with_location(const TextLocation& where, const std::string& message)
   return one_line(place.empty() ? shortened(message) : place + ": " + shortened(message));
 }
 
-// Levenshtein's distance. row[j] is the distance between the prefix of a and j bytes of b.
+// Returns Levenshtein's distance. row[j] is the distance between the prefix of a and j bytes of b.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -15,7 +15,7 @@
 namespace raytracing {
 namespace {
 
-// The path of `name` relative to the folder of the file `from`.
+// Returns the path of `name` relative to the folder of the file `from`.
 std::string beside(const std::string& from, const std::string& name) {
   return (std::filesystem::path(from).parent_path() / name).lexically_normal().string();
 }

@@ -50,9 +50,9 @@ class TomlTable {
             const TomlKeys& keys);
 
   bool has(std::string_view key) const { return table_->contains(key); }
-  /// The location of the key's value.
+  /// Returns the location of the key's value.
   TextLocation where(std::string_view key) const;
-  /// An error located at the key's value: "camera.fov: message".
+  /// Returns an error located at the key's value: "camera.fov: message".
   InputError error(std::string_view key, const std::string& message) const;
 
   std::optional<std::string> string(std::string_view key) const;

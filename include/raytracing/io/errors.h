@@ -22,18 +22,19 @@ struct TextLocation {
   long column = 0;
 };
 
-/// "file:line:column", without the parts that are not known.
+/// Returns "file:line:column", without the parts that are not known.
 std::string to_string(const TextLocation& where);
 
-/// The text with a space in place of each line break and other control character: a message stays
-/// on one line whatever the file names and quoted text in it contain.
+/// Returns the text with a space in place of each line break and other control character: a message
+/// stays on one line whatever the file names and quoted text in it contain.
 std::string one_line(std::string text);
 
-/// The bytes in quotes for a message: printable ASCII as it is, the rest as \xNN, cut off after 40.
+/// Returns the bytes in quotes for a message: printable ASCII as it is, the rest as \xNN, cut off
+/// after 40.
 std::string quoted(std::string_view bytes);
 
-/// The candidate with the smallest edit distance (insert, erase, replace one byte) to `name`; the
-/// first of equals. `candidates` must not be empty.
+/// Returns the candidate with the smallest edit distance (insert, erase, replace one byte) to
+/// `name`; the first of equals. `candidates` must not be empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 /// Bad input (exit code 3). what() is one line, headed by the location if there is one.
@@ -91,7 +92,7 @@ class LoadReport {
   std::vector<Entry> entries_;
 };
 
-/// "repaired", "dropped", "ignored" or "warning".
+/// Returns "repaired", "dropped", "ignored" or "warning".
 const char* to_string(LoadReport::Severity severity);
 
 }  // namespace raytracing

@@ -6,12 +6,12 @@
 
 namespace raytracing {
 
-/// The bytes of a regular file. Throws InputError ("file: reason") for a missing or unreadable
-/// file, a directory, or a failed read.
+/// Returns the bytes of a regular file. Throws InputError ("file: reason") for a missing or
+/// unreadable file, a directory, or a failed read.
 std::string read_file(const std::string& path);
 
-/// A 64-bit hash of bytes that distinguishes versions of a file; not cryptographic. Several files
-/// are chained by passing the hash so far as `seed`.
+/// Returns a 64-bit hash of bytes that distinguishes versions of a file; not cryptographic. Several
+/// files are chained by passing the hash so far as `seed`.
 std::uint64_t hash_bytes(std::string_view bytes, std::uint64_t seed = 0);
 
 /// A file that appears under its final name only when complete: it is written under a temporary

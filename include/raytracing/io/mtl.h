@@ -25,10 +25,10 @@ struct MtlMaterial {
 std::vector<MtlMaterial> parse_mtl(std::string_view text, const std::string& file,
                                    LoadReport& report);
 
-/// The surface that a material describes: Ke is the emitted radiance; Pm = 1 makes a GGX conductor
-/// with constant reflectance Kd and roughness Pr, otherwise the surface is diffuse with Kd. Counts
-/// in `report` what is absent or has no meaning here. Throws InputError (at newmtl) for values out
-/// of range, and for a Pm between 0 and 1.
+/// Returns the surface that a material describes: Ke is the emitted radiance; Pm = 1 makes a GGX
+/// conductor with constant reflectance Kd and roughness Pr, otherwise the surface is diffuse with
+/// Kd. Counts in `report` what is absent or has no meaning here. Throws InputError (at newmtl) for
+/// values out of range, and for a Pm between 0 and 1.
 Surface surface_from_mtl(const MtlMaterial& mtl, LoadReport& report);
 
 }  // namespace raytracing

@@ -21,7 +21,7 @@ struct RenderResult;
 using FactValue = std::variant<std::string, std::int64_t, double, bool>;
 using NamedValues = std::vector<std::pair<std::string, FactValue>>;
 
-/// The value as text: all digits of a number, "true" or "false".
+/// Returns the value as text: all digits of a number, "true" or "false".
 inline std::string to_text(const FactValue& value) {
   return std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
 }
@@ -77,25 +77,26 @@ struct FactField {
   Member member;
 };
 
-/// All facts that files record. To add a fact, add a member to RunFacts, a row to this list, and
-/// the statement that sets it; every header, table and JSON file then has it.
+/// Returns all facts that files record. To add a fact, add a member to RunFacts, a row to this
+/// list, and the statement that sets it; every header, table and JSON file then has it.
 std::span<const FactField> fact_fields();
 
-/// The fact as a value; empty when it is not known. A whole number beyond 63 bits becomes text.
+/// Returns the fact as a value; empty when it is not known. A whole number beyond 63 bits becomes
+/// text.
 std::optional<FactValue> fact_value(const RunFacts& facts, const FactField& field);
 
 /// Sets the fact to what the text says; leaves it empty when the text is not of the fact's type.
 void read_fact(RunFacts& facts, const FactField& field, std::string_view text);
 
-/// The known facts in the order of the list, for a picture's header.
+/// Returns the known facts in the order of the list, for a picture's header.
 NamedValues named_values(const RunFacts& facts);
-/// The facts that a picture's header states; other names are left out.
+/// Returns the facts that a picture's header states; other names are left out.
 RunFacts facts_of(const NamedValues& header);
 
-/// The known facts as a JSON object, in the order of the list; only those of one scope if it is
-/// given.
+/// Returns the known facts as a JSON object, in the order of the list; only those of one scope if
+/// it is given.
 nlohmann::ordered_json to_json(const RunFacts& facts, std::optional<FactScope> scope = {});
-/// The facts that a JSON object states; other keys are left out.
+/// Returns the facts that a JSON object states; other keys are left out.
 RunFacts facts_from_json(const nlohmann::ordered_json& object);
 
 /// Sets the facts that the options of a rendering determine.
@@ -103,13 +104,13 @@ void add_options(RunFacts& facts, const RenderOptions& options);
 /// Sets the facts that are known when a rendering ends.
 void add_result(RunFacts& facts, const RenderOptions& options, const RenderResult& result);
 
-/// RunFacts::max_depth as text: "1" or "unlimited".
+/// Returns RunFacts::max_depth as text: "1" or "unlimited".
 std::string depth_text(const std::optional<std::uint32_t>& max_depth);
-/// A hash as headers show it: 16 hexadecimal digits.
+/// Returns a hash as headers show it: 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash);
 
-/// Whether the facts say that the errors of neighbouring pixels are correlated: means over pixels
-/// then vary more than the variances of single pixels suggest.
+/// Returns whether the facts say that the errors of neighbouring pixels are correlated: means over
+/// pixels then vary more than the variances of single pixels suggest.
 bool has_correlated_pixels(const RunFacts& facts);
 
 }  // namespace raytracing
