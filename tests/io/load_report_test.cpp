@@ -1,6 +1,6 @@
-#include "raytracing/io/errors.h"
-
 #include <gtest/gtest.h>
+
+#include "raytracing/io/errors.h"
 
 namespace raytracing {
 namespace {

@@ -1,9 +1,9 @@
-#include "raytracing/scene/description.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "raytracing/scene/description.h"
 
 namespace raytracing {
 namespace {

@@ -1,9 +1,8 @@
 // Scenes far from the origin are found and recentered without rounding.
 
-#include "raytracing/scene/description.h"
-
 #include <gtest/gtest.h>
 
+#include "raytracing/scene/description.h"
 #include "support/statistics.h"
 
 namespace raytracing {
