@@ -6,10 +6,15 @@
 
 namespace raytracing::stress {
 
-CaseBuilder::CaseBuilder(const Material& material, const Vec3& wo, float eye, float half) {
-  const std::uint32_t surface = add_surface(material);
-  add_faces({parallelogram(Vec3(0.0f), {half, 0.0f, 0.0f}, {0.0f, half, 0.0f})}, surface);
-  scene.ray = {kPoint + eye * wo, -wo};
+StressScene scene_of(const Setup& setup) { return CaseBuilder(setup).scene; }
+
+CaseBuilder::CaseBuilder(const Setup& setup) {
+  const std::uint32_t surface = add_surface(setup.material);
+  const Vec3 x(setup.half, 0.0f, 0.0f), y(0.0f, setup.half, 0.0f);
+  add_faces({parallelogram(Vec3(0.0f), x, y)}, surface);
+  scene.ray = {kPoint + setup.eye * setup.wo, -setup.wo};
+  for (const Polygon& light : setup.lights) add_light(light);
+  for (const Polygon& occluder : setup.occluders) add_occluder(occluder);
 }
 
 std::uint32_t CaseBuilder::add_surface(const Material& material, float Le) {
@@ -49,22 +54,13 @@ void CaseBuilder::add_black_faces(const std::vector<Polygon>& faces) {
   add_faces(faces, *black_);
 }
 
-Polygon ceiling_light() {
-  return parallelogram({0.113f, 0.043f, 1.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f});
-}
+Polygon ceiling_light() { return parallelogram(kCenter, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}); }
 
 Polygon edge_occluder(float z, const Vec3& target, float angle, float offset, float size) {
   const Vec3 along(std::cos(angle), std::sin(angle), 0.0f);
   const Vec3 across(-along.y, along.x, 0.0f);
   const Vec3 on_edge = kPoint + (z / target.z) * (target - kPoint) + offset * across;
   return parallelogram(on_edge + size * across, size * along, size * across);
-}
-
-StressScene penumbra(float eye, float half) {
-  CaseBuilder builder(kGrey, kView, eye, half);
-  builder.add_light(ceiling_light());
-  builder.add_occluder(edge_occluder(0.5f, {0.113f, 0.043f, 1.0f}, 0.5f));
-  return builder.scene;
 }
 
 StressScene transformed(StressScene s, float scale, const Vec3& shift) {

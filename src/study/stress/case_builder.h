@@ -27,13 +27,25 @@ inline Polygon parallelogram(const Vec3& center, const Vec3& x, const Vec3& y) {
   return {center - x - y, center + x - y, center + x + y, center - x + y};
 }
 
-/// Puts a StressScene together.
+/// The middle of the standard light.
+inline constexpr Vec3 kCenter{0.113f, 0.043f, 1.0f};
+
+/// A receiver under lights of radiance 1, behind black convex occluders.
+struct Setup {
+  std::vector<Polygon> lights;
+  std::vector<Polygon> occluders = {};
+  Material material = kGrey;
+  Vec3 wo = kView;     ///< towards the viewer
+  float eye = 0.01f;   ///< distance of the viewer; less than that of the nearest occluder
+  float half = 0.02f;  ///< half of the receiver's sides
+};
+StressScene scene_of(const Setup& setup);
+
+/// Puts a StressScene together that is more than a setup.
 class CaseBuilder {
  public:
-  /// A receiver at kPoint with the normal +z and sides of 2 `half`, seen from `wo` at the distance
-  /// `eye`, which must be less than the distance to the nearest occluder.
-  explicit CaseBuilder(const Material& material = kGrey, const Vec3& wo = kView, float eye = 0.01f,
-                       float half = 0.02f);
+  /// The setup, whose receiver lies at kPoint with the normal +z.
+  explicit CaseBuilder(const Setup& setup = {{}});
   /// A scene without receiver.
   struct Empty {};
   explicit CaseBuilder(Empty) {}
@@ -61,12 +73,10 @@ Polygon ceiling_light();
 
 /// A big square at height `z`. Its edge, at `angle` radians to the x axis, throws its shadow
 /// `offset` beside the light point above `target` as seen from kPoint. What lies across is hidden.
-Polygon edge_occluder(float z, const Vec3& target, float angle, float offset = 0.01f,
-                      float size = 4);
-
-/// The standard scene: ceiling light, and an occluder at half its height whose shadow edge runs
-/// obliquely through its middle. For eye and half see CaseBuilder.
-StressScene penumbra(float eye = 0.01f, float half = 0.02f);
+/// Unless told otherwise, it is that of the standard scene: at half the height of the ceiling
+/// light, through whose middle its shadow edge runs obliquely.
+Polygon edge_occluder(float z = 0.5f, const Vec3& target = kCenter, float angle = 0.5f,
+                      float offset = 0.01f, float size = 4);
 
 /// The scene with every position p moved to scale * p + shift.
 StressScene transformed(StressScene scene, float scale, const Vec3& shift);

@@ -3,45 +3,39 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include "case_builder.h"
-#include "occluder_cases.h"
 #include "raytracing/study/stress/truth.h"
 
 namespace raytracing {
 namespace stress {
 namespace {
 
-constexpr std::string_view kLambert = "Lambert's polygon formula on the visible polygon";
-constexpr std::string_view kGgx = "cubature of GGX over the visible polygon";
-
 // Cases of the light's shape and position.
 
 StressScene aspect(float ratio) {
-  CaseBuilder builder;
-  const Vec3 center(0.113f, 0.043f, 1.0f);
-  builder.add_light(parallelogram(center, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f / ratio, 0.0f}));
-  builder.add_occluder(edge_occluder(0.5f, center, 0.5f));
-  return builder.scene;
+  return scene_of(
+      {.lights = {parallelogram(kCenter, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f / ratio, 0.0f})},
+       .occluders = {edge_occluder()}});
 }
 
 // The light keeps its size; the occluder stays half way, its shadow edge above the receiver, where
 // a near light is brightest.
 StressScene distance(float d) {
   const float near = std::min(d, 1.0f);
-  CaseBuilder builder(kGrey, kView, std::min(0.01f, 0.2f * d));
-  builder.add_light(parallelogram({0.113f, 0.043f, d}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f}));
   const Vec3 target = kPoint + Vec3(0.1f * near, 0.05f * near, d);
-  builder.add_occluder(edge_occluder(d / 2, target, 0.5f, 0.01f * near, 0.5f));
-  return builder.scene;
+  return scene_of(
+      {.lights = {parallelogram({0.113f, 0.043f, d}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f})},
+       .occluders = {edge_occluder(d / 2, target, 0.5f, 0.01f * near, 0.5f)},
+       .eye = std::min(0.01f, 0.2f * d)});
 }
 
 // A wall of light across the x axis, seen over the receiver from its side.
 StressScene wall(const Vec3& center, float half_height = 0.5f) {
-  CaseBuilder builder(kGrey, {-0.48f, -0.36f, 0.8f});
-  builder.add_light(parallelogram(center, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, half_height}));
-  return builder.scene;
+  return scene_of({.lights = {parallelogram(center, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, half_height})},
+                   .wo = {-0.48f, -0.36f, 0.8f}});
 }
 
 // A wall in the plane x = g from the receiver, beside it.
@@ -53,19 +47,110 @@ StressScene horizon(float above) { return wall(Vec3(1.0f, 0.1f, above - 0.5f)); 
 // A wall that stands on the receiver's plane, one corner at the distance d.
 StressScene corner(float d) { return wall(kPoint + Vec3(d, 0.5f, 0.5f)); }
 
-std::vector<StressCase> light_cases() {
-  return {
-      {"light-aspect", "light", "length of the light over its width, in a penumbra", kLambert,
-       settings({1, 10, 100, 1e3, 1e4, 1e5}, aspect)},
-      {"light-distance", "light", "distance in lengths of the light, in a penumbra", kLambert,
-       settings({1e-4, 1e-3, 0.01, 0.1, 1, 10, 100, 1e3, 1e4}, distance)},
-      {"grazing-light", "light", "distance from the plane of a light beside the receiver", kLambert,
-       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, grazing)},
-      {"horizon", "light", "share of the light's height that is above the horizon", kLambert,
-       settings({1, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, horizon)},
-      {"light-corner", "light", "distance of the receiver from a corner of the light", kLambert,
-       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6}, corner)},
+// Cases of the shape, the place or the mesh of an occluder.
+
+StressScene contact(float gap) {
+  const Vec3 center = 1.5f * kCenter;
+  return scene_of({.lights = {parallelogram(center, {0.5f, 0.0f, 0.0f}, {0.0f, 0.35f, 0.0f})},
+                   .occluders = {edge_occluder(gap, center, 0.5f, 0.02f * gap, 0.5f)},
+                   .eye = std::min(0.01f, 0.2f * gap)});
+}
+
+StressScene edge_direction(float degrees) {
+  return scene_of({.lights = {ceiling_light()},
+                   .occluders = {edge_occluder(0.5f, kCenter, degrees * 3.14159265f / 180)}});
+}
+
+// Slats and slits of equal width alternate over a width of 2, oblique to the light.
+StressScene blinds(float count) {
+  Setup setup{.lights = {ceiling_light()}};
+  const Vec3 along(std::cos(0.3f), std::sin(0.3f), 0.0f), across(-along.y, along.x, 0.0f);
+  const int n = static_cast<int>(count);
+  const float pitch = 2 / count;
+  for (int i = 0; i < n; ++i) {
+    const float at = (static_cast<float>(i) + 0.5f) * pitch - 1;
+    setup.occluders.push_back(parallelogram(Vec3(0.06f, 0.02f, 0.5f) + (at + 0.3f * pitch) * across,
+                                            along, 0.25f * pitch * across));
+  }
+  return scene_of(setup);
+}
+
+// The standard occluder as triangles with one corner in common, along whose other sides the shadow
+// edge runs.
+StressScene needles(float count) {
+  CaseBuilder builder({.lights = {ceiling_light()}});
+  const Polygon square = edge_occluder();
+  const int n = static_cast<int>(count);
+  std::vector<Polygon> faces{{square[3], square[1], square[2]}};
+  Vec3 last = square[0];
+  for (int i = 1; i <= n; ++i) {
+    const float t = static_cast<float>(i) / count;
+    const Vec3 next = i == n ? square[1] : (1 - t) * square[0] + t * square[1];
+    faces.push_back({square[3], last, next});
+    last = next;
+  }
+  builder.add_occluder(faces, square);
+  return builder.scene;
+}
+
+// The standard occluder, tilted, as a grid of triangles whose inner corners are moved about.
+StressScene tessellation(float count) {
+  CaseBuilder builder({.lights = {ceiling_light()}});
+  Polygon square = edge_occluder(0.5f, kCenter, 0.5f, 0.01f, 0.4f);
+  for (std::size_t i = 2; i < 4; ++i) square[i].z += 0.2f;
+  const int n = static_cast<int>(std::lround(std::sqrt(count / 2)));
+  std::mt19937 random(7);
+  const auto jitter = [&](int i) {
+    const double shift = i == 0 || i == n ? 0.0 : static_cast<double>(random()) * 0x1p-32 - 0.5;
+    return static_cast<float>((i + 0.5 * shift) / n);
   };
+  std::vector<Vec3> points;
+  for (int y = 0; y <= n; ++y)
+    for (int x = 0; x <= n; ++x) {
+      const float s = jitter(x), t = jitter(y);
+      points.push_back(square[0] + s * (square[1] - square[0]) + t * (square[3] - square[0]));
+    }
+  std::vector<Polygon> faces;
+  const auto at = [&](int x, int y) { return points[static_cast<std::size_t>(y * (n + 1) + x)]; };
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) {
+      faces.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      faces.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  builder.add_occluder(faces, square);
+  return builder.scene;
+}
+
+// Adds the faults of real meshes: at level 1 every face twice, at 2 overlapping faces in one plane,
+// at 3 faces without area, at 4 all of these and each face a hundred times.
+StressScene degenerate(float level) {
+  const auto is = [level](float l) { return level == l || level == 4; };
+  const Polygon square = edge_occluder();
+  CaseBuilder builder({.lights = {ceiling_light()}, .occluders = {square}});
+  const Vec3 middle = 0.25f * (square[0] + square[1] + square[2] + square[3]);
+  if (is(1))
+    for (int i = 0; i < (level == 4 ? 100 : 1); ++i) builder.add_black_faces({square});
+  if (is(2)) {
+    const Polygon half{square[0], square[1], middle};
+    builder.add_black_faces({half, {half[1], half[0], half[2]}, {square[0], middle, square[3]}});
+  }
+  if (is(3)) {
+    const Vec3 on_edge = 0.5f * (square[0] + square[1]);
+    builder.add_black_faces({{square[0], square[1], on_edge},
+                             {middle, middle, square[0]},
+                             {middle, middle, middle},
+                             {kCenter, kCenter, kCenter},
+                             {kPoint, kPoint, kCenter}});
+    builder.add_faces({{kCenter, kCenter, kPoint}}, builder.add_surface(kGrey, 1));
+  }
+  return builder.scene;
+}
+
+std::vector<StressSetting> degenerate_settings() {
+  std::vector<StressSetting> result = settings({0, 1, 2, 3, 4}, degenerate);
+  const char* labels[] = {"clean", "twice", "coplanar", "no-area", "all"};
+  for (std::size_t i = 0; i < result.size(); ++i) result[i].label = labels[i];
+  return result;
 }
 
 // Cases of the receiver's surface.
@@ -76,20 +161,19 @@ Material ggx(float roughness) {
 
 // The mirror direction meets the light close beside the shadow edge.
 StressScene roughness(float r) {
-  CaseBuilder builder(ggx(r));
   const Vec3 center(-0.587f, 0.443f, 1.0f);
-  builder.add_light(parallelogram(center, {0.25f, 0.0f, 0.0f}, {0.0f, 0.2f, 0.0f}));
-  builder.add_occluder(edge_occluder(0.5f, center, 0.5f, 0.03f));
-  return builder.scene;
+  return scene_of({.lights = {parallelogram(center, {0.25f, 0.0f, 0.0f}, {0.0f, 0.2f, 0.0f})},
+                   .occluders = {edge_occluder(0.5f, center, 0.5f, 0.03f)},
+                   .material = ggx(r)});
 }
 
 // Roughness 0.3; the light stands across, its lower half behind an occluder.
 StressScene grazing_view(float cosine) {
-  const Vec3 wo(std::sqrt(1 - cosine * cosine), 0.0f, cosine);
-  CaseBuilder builder(ggx(0.3f), wo);
-  builder.add_light(parallelogram({-1.0f, 0.05f, 0.41f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.4f}));
-  builder.add_occluder(parallelogram({-0.5f, 0.0f, -0.3f}, {0.0f, 1.0f, 0.2f}, {0.0f, 0.0f, 0.4f}));
-  return builder.scene;
+  return scene_of(
+      {.lights = {parallelogram({-1.0f, 0.05f, 0.41f}, {0.0f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.4f})},
+       .occluders = {parallelogram({-0.5f, 0.0f, -0.3f}, {0.0f, 1.0f, 0.2f}, {0.0f, 0.0f, 0.4f})},
+       .material = ggx(0.3f),
+       .wo = {std::sqrt(1 - cosine * cosine), 0.0f, cosine}});
 }
 
 // A triangle whose shading normal leans from its geometric one, towards a light that reaches under
@@ -168,26 +252,12 @@ std::vector<StressSetting> shared_path_settings() {
   return result;
 }
 
-std::vector<StressCase> surface_cases() {
-  return {
-      {"roughness", "surface", "roughness of a mirroring receiver, light's middle just lit", kGgx,
-       settings({1, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3}, roughness)},
-      {"grazing-view", "surface", "cosine at which a GGX receiver of roughness 0.3 is seen", kGgx,
-       settings({0.5, 0.1, 0.01, 1e-3, 1e-4}, grazing_view)},
-      {"terminator", "surface", "angle between geometric and shading normal, degrees",
-       "Lambert's formula with the shading normal; light under either horizon is lost, by "
-       "convention",
-       settings({0, 10, 30, 60, 80}, terminator)},
-      {"albedo", "surface", "reflectance of a closed room that emits 1, all bounces",
-       "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
-       settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},
-      {"shared-paths", "surface",
-       "roughness of a ceiling that lights the receiver by shared paths of 16 x 16 pixels",
-       "quadrature of the ceiling's exact radiance", shared_path_settings()},
-  };
-}
-
 // Cases of the scene's numbers: scale, offset, many lights.
+
+StressScene penumbra(float eye = 0.01f, float half = 0.02f) {
+  return scene_of(
+      {.lights = {ceiling_light()}, .occluders = {edge_occluder()}, .eye = eye, .half = half});
+}
 
 StressScene scaled(float s) { return transformed(penumbra(), s, Vec3(0.0f)); }
 
@@ -208,23 +278,58 @@ StressScene bright_pair(float ratio) {
 
 // A square of 2 x 2 above the receiver, a quarter of which is luminous.
 StressScene many_lights(float count) {
-  CaseBuilder builder;
+  Setup setup{.lights = {}, .occluders = {edge_occluder()}};
   const int n = static_cast<int>(count);
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
   const float pitch = 2 / static_cast<float>(columns);
-  for (int i = 0; i < n; ++i) {
-    const int column = i % columns, row = i / columns;
-    const float x = (static_cast<float>(column) + 0.5f) * pitch - 1;
-    const float y = (static_cast<float>(row) + 0.5f) * pitch - 1;
-    builder.add_light(
-        parallelogram({x, y, 1.0f}, {pitch / 4, 0.0f, 0.0f}, {0.0f, pitch / 4, 0.0f}));
-  }
-  builder.add_occluder(edge_occluder(0.5f, {0.113f, 0.043f, 1.0f}, 0.5f));
-  return builder.scene;
+  const auto place = [pitch](int i) { return (static_cast<float>(i) + 0.5f) * pitch - 1; };
+  for (int i = 0; i < n; ++i)
+    setup.lights.push_back(parallelogram({place(i % columns), place(i / columns), 1.0f},
+                                         {pitch / 4, 0.0f, 0.0f}, {0.0f, pitch / 4, 0.0f}));
+  return scene_of(setup);
 }
 
-std::vector<StressCase> scene_cases() {
+// The families one after the other.
+std::vector<StressCase> make_cases() {
+  constexpr std::string_view kLambert = "Lambert's polygon formula on the visible polygon";
+  constexpr std::string_view kGgx = "cubature of GGX over the visible polygon";
   return {
+      {"light-aspect", "light", "length of the light over its width, in a penumbra", kLambert,
+       settings({1, 10, 100, 1e3, 1e4, 1e5}, aspect)},
+      {"light-distance", "light", "distance in lengths of the light, in a penumbra", kLambert,
+       settings({1e-4, 1e-3, 0.01, 0.1, 1, 10, 100, 1e3, 1e4}, distance)},
+      {"grazing-light", "light", "distance from the plane of a light beside the receiver", kLambert,
+       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, grazing)},
+      {"horizon", "light", "share of the light's height that is above the horizon", kLambert,
+       settings({1, 0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, horizon)},
+      {"light-corner", "light", "distance of the receiver from a corner of the light", kLambert,
+       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6}, corner)},
+      {"contact", "occluder", "gap between receiver and occluder", kLambert,
+       settings({1, 0.1, 0.01, 1e-3, 1e-4, 1e-5}, contact)},
+      {"edge-direction", "occluder", "angle of the shadow edge to the light's long sides, degrees",
+       kLambert, settings({0, 0.1, 1, 10, 45, 80, 89, 89.9, 90}, edge_direction)},
+      {"blinds", "occluder", "slats over four widths of the penumbra", kLambert,
+       settings({1, 10, 100, 1e3, 1e4}, blinds)},
+      {"needles", "occluder", "occluder cut into this many slivers", kLambert,
+       settings({1, 10, 100, 1e3, 1e4, 1e5}, needles)},
+      {"tessellation", "occluder", "triangles of the occluder", kLambert,
+       settings({100, 1e3, 1e4, 1e5, 1e6}, tessellation)},
+      {"degenerate", "occluder", "faces that a mesh should not have", kLambert,
+       degenerate_settings()},
+      {"roughness", "surface", "roughness of a mirroring receiver, light's middle just lit", kGgx,
+       settings({1, 0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3}, roughness)},
+      {"grazing-view", "surface", "cosine at which a GGX receiver of roughness 0.3 is seen", kGgx,
+       settings({0.5, 0.1, 0.01, 1e-3, 1e-4}, grazing_view)},
+      {"terminator", "surface", "angle between geometric and shading normal, degrees",
+       "Lambert's formula with the shading normal; light under either horizon is lost, by "
+       "convention",
+       settings({0, 10, 30, 60, 80}, terminator)},
+      {"albedo", "surface", "reflectance of a closed room that emits 1, all bounces",
+       "1 / (1 - reflectance), of float32; infinite at 1, which is left out",
+       settings({0, 0.25, 0.5, 0.75, 0.9, 0.97, 0.99, 0.999}, albedo)},
+      {"shared-paths", "surface",
+       "roughness of a ceiling that lights the receiver by shared paths of 16 x 16 pixels",
+       "quadrature of the ceiling's exact radiance", shared_path_settings()},
       {"scale", "scene", "size of the scene", kLambert,
        settings({1e-6, 1e-4, 0.01, 1, 100, 1e4, 1e6}, scaled)},
       {"offset", "scene", "distance of the scene from the origin, in its own size", kLambert,
@@ -240,13 +345,7 @@ std::vector<StressCase> scene_cases() {
 }  // namespace stress
 
 std::span<const StressCase> stress_cases() {
-  static const std::vector<StressCase> all = [] {
-    std::vector<StressCase> cases;
-    for (auto* family :
-         {stress::light_cases, stress::occluder_cases, stress::surface_cases, stress::scene_cases})
-      for (StressCase& c : family()) cases.push_back(std::move(c));
-    return cases;
-  }();
+  static const std::vector<StressCase> all = stress::make_cases();
   return all;
 }
 
