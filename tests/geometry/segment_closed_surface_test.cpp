@@ -1,6 +1,8 @@
 // No light leaks through edges that triangles share; degenerate cases of segment queries.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "raytracing/geometry/occluder_tree.h"
 #include "raytracing/math/vec.h"
 #include "support/segment_reference.h"
@@ -107,11 +109,15 @@ void expect_all(const IntervalSet& set) {
 }
 
 TEST(SegmentQuery, EmptyScenesHideNothing) {
-  expect_all(visible(OccluderTree(), kQuery));
-  expect_all(visible(SegmentScene().build(), kQuery));
-  const IntervalSet part = OccluderTree().visible_part(kQuery.p, kQuery.a, kQuery.d, {0.25f, 0.5f});
+  const OccluderTree empty = SegmentScene().build();
+  expect_all(visible(empty, kQuery));
+  const IntervalSet part = empty.visible_part(kQuery.p, kQuery.a, kQuery.d, {0.25f, 0.5f});
   EXPECT_EQ(part.hull().begin, 0.25f);
   EXPECT_EQ(part.hull().end, 0.5f);
+}
+
+TEST(SegmentQuery, ATreeThatWasNotBuiltAnswersNothing) {
+  EXPECT_THROW(visible(OccluderTree(), kQuery), std::logic_error);
 }
 
 // One triangle, for which the tree is a single leaf, occludes the middle half.
