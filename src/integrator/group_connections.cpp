@@ -29,7 +29,7 @@ float sum(const Lanes& lanes, int n) {
 
 void GroupConnections::begin(std::size_t n) {
   lanes_ = static_cast<int>(n + 7) / 8 * 8;
-  any_ggx_ = false;
+  all_lambertian_ = true;
   for (int k = 0; k < lanes_; ++k) {
     for (Vec3Lanes* lanes :
          {&first_.origin, &first_.ng, &first_.ns, &first_.wo, &first_.reflectance, &gathered_})
@@ -50,19 +50,19 @@ void GroupConnections::set_first(std::size_t lane, const Vertex& x) {
   first_.is_ggx[k] = shape.is_ggx;
   first_.alpha[k] = shape.alpha;
   first_.schlick[k] = shape.schlick;
-  any_ggx_ |= shape.is_ggx > 0;
+  all_lambertian_ = all_lambertian_ && is_lambertian(*x.material);
 }
 
 void GroupConnections::connect_to(const Vertex& y, std::size_t owner, RayQueries& rays) {
   const int own = static_cast<int>(owner);
-  any_ggx_ ? evaluate_unoccluded<true>(y) : evaluate_unoccluded<false>(y);
+  all_lambertian_ ? evaluate_unoccluded<true>(y) : evaluate_unoccluded<false>(y);
   if (y.normal_replaced)
     for (int k = 0; k < lanes_; ++k)
       if (k != own) connections_.pdf_a[k] = connections_.value[k] = 0;
   remove_occluded(y, own, rays);
 }
 
-template <bool kAnyGgx>
+template <bool kAllLambertian>
 void GroupConnections::evaluate_unoccluded(const Vertex& y) {
   const Vec3 position = y.position, ng = y.ng, ns = y.shading.z;
   for (int k = 0; k < lanes_; ++k) {
@@ -74,7 +74,7 @@ void GroupConnections::evaluate_unoccluded(const Vertex& y) {
     const float above =
         std::min(std::min(cos_y, -dot(wi, ns)), std::min(dot(wi, nx), dot(wi, first_.ng.at(k))));
     Lobe l = lambertian_lobe(dot(wi, nx));
-    if constexpr (kAnyGgx) {
+    if constexpr (!kAllLambertian) {
       l = lobe(first_.is_ggx[k], first_.alpha[k], first_.schlick[k], nx, first_.wo.at(k), wi);
     }
     const float geometry = above > 0 ? cos_y / distance2 : 0.0f;

@@ -63,7 +63,7 @@ class GroupConnections {
     Lanes schlick;  // see Lobe
   };
 
-  template <bool kAnyGgx>
+  template <bool kAllLambertian>
   void evaluate_unoccluded(const Vertex& y);
   void remove_occluded(const Vertex& y, int owner, RayQueries& rays);
   void trace_each(const Vec3& from, std::array<std::int32_t, kMaxLanes>& wanted,
@@ -74,8 +74,8 @@ class GroupConnections {
   FirstVertices first_;
   Connections connections_;
   Vec3Lanes gathered_;
-  int lanes_ = 0;         // a multiple of 8
-  bool any_ggx_ = false;  // among the first vertices
+  int lanes_ = 0;               // a multiple of 8
+  bool all_lambertian_ = true;  // of the first vertices
 };
 
 }  // namespace raytracing

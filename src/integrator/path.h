@@ -32,6 +32,8 @@ struct PathState {
   /// step for it.
   void begin(const Vertex& v, std::uint32_t at_depth) {
     depth = at_depth;
+    throughput = Rgb(1.0f);
+    radiance = Rgb(0.0f);
     vertices_[current_] = v;
     log.steps.assign(1, {});
   }

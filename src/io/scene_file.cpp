@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "model_loader.h"
 #include "raytracing/io/file.h"
@@ -106,10 +107,13 @@ GgxConductor read_ggx(const TomlTable& table) {
 Surface read_surface(const std::string& name, const TomlTable& table) {
   Surface surface;
   surface.name = name;
-  if (*table.one_of("type", {"diffuse", "ggx"}) == "ggx")
+  const std::string type = *table.one_of("type", {"diffuse", "ggx"});
+  if (type == "ggx")
     surface.material = read_ggx(table);
-  else
+  else if (type == "diffuse")
     surface.material = read_diffuse(table);
+  else
+    throw std::logic_error("materials of type " + type + " have no reader");
   surface.Le = Rgb(table.number_or_vec3("emission").value_or(DVec3(0.0)));
   for (int i = 0; i < 3; ++i)
     if (surface.Le[i] < 0) throw table.error("emission", "no component may be negative");

@@ -27,7 +27,7 @@ constexpr FactField kFields[] = {
 
     FACT(light_sampling, run, "method of direct light"),
     FACT(light_sampling_biased, run, "whether that method is biased"),
-    FACT(line_rays, setup, "shadow rays per chord of the method line-rays"),
+    FACT(line_rays, setup, "shadow rays per chord of the methods that trace several"),
     FACT(max_depth, setup, "largest number of surfaces on a path, or unlimited"),
     FACT(sampler, setup, "source of the random numbers"),
     FACT(spp, run, "samples per pixel"),
@@ -53,7 +53,7 @@ constexpr FactField kFields[] = {
     FACT(rays_closest, run, "closest-hit ray queries"),
     FACT(rays_shadow, run, "shadow ray queries"),
     FACT(segment_queries, run, "queries for the unoccluded parts of a segment"),
-    FACT(shaft_queries, run, "queries for the occluders of a shaft"),
+    FACT(shaft_queries, run, "shaft queries that found which of many points see one"),
 
     FACT(mean_r, run, "mean of the red channel over all pixels"),
     FACT(mean_g, run, "mean of the green channel over all pixels"),

@@ -56,6 +56,20 @@ void expect_same_lobes(const std::variant<Kinds...>*) {
 
 TEST(Lobe, IsThatOfTheMaterial) { expect_same_lobes(static_cast<const Material*>(nullptr)); }
 
+template <class... Kinds>
+void expect_black_below_the_horizon(const std::variant<Kinds...>*) {
+  for (const std::vector<Material>& materials : {examples(Kinds{})...})
+    for (const Material& material : materials)
+      for (const Vec3& wi : {Vec3(0.6f, 0, -0.8f), Vec3(1, 0, 0), Vec3(0, 0, -1)}) {
+        EXPECT_EQ(eval_cos(material, Vec3(0, 0.6f, 0.8f), wi), Rgb(0.0f));
+        EXPECT_EQ(bsdf_pdf_w(material, Vec3(0, 0.6f, 0.8f), wi), 0);
+      }
+}
+
+TEST(Materials, AreBlackBelowTheHorizon) {
+  expect_black_below_the_horizon(static_cast<const Material*>(nullptr));
+}
+
 TEST(Lobe, OfLambertianMaterialsIsTheCosine) {
   const LobeShape shape = lobe_shape(Material(Diffuse{}));
   const Vec3 n(0, 0, 1), wo(0, 0.6f, 0.8f), wi(0.6f, 0, 0.8f);

@@ -13,7 +13,7 @@ struct RayCounts {
   std::uint64_t closest = 0;   ///< closest-hit rays
   std::uint64_t shadow = 0;    ///< occlusion tests
   std::uint64_t segments = 0;  ///< exact visibility queries of a segment
-  std::uint64_t shafts = 0;    ///< answered queries which of many points see one
+  std::uint64_t shafts = 0;    ///< shaft queries that found which of many points see one
   std::uint64_t escaped = 0;   ///< closest-hit rays from a surface that met nothing
   /// Light samples taken uniform in area by a method that is uniform in solid angle, where the
   /// solid angle is too small or too large for float arithmetic.

@@ -1,7 +1,8 @@
 #pragma once
 // Reflection in the local frame of a surface: z is the shading normal, on the side of the viewer.
-// wo points to the viewer, wi to where light comes from; both leave the surface, wo.z > 0.
-// `eval_cos` is f(wo,wi) times |cos wi|; `pdf_w` is a density per steradian of wi.
+// wo points to the viewer, wi to where light comes from; both leave the surface, wo.z > 0. Below
+// the horizon, for wi.z <= 0, `eval_cos` and `bsdf_pdf_w` are 0. `eval_cos` is f(wo,wi) times |cos
+// wi|; `pdf_w` is a density per steradian of wi.
 
 #include "raytracing/math/vec.h"
 

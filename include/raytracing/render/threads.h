@@ -23,8 +23,8 @@ double thread_cpu_seconds();
 
 /// Runs `work` at once in `threads` threads, or in as many as can be started, with denormal numbers
 /// counting as 0. For one thread, and where none can be started, this one does the work. Returns
-/// their number when all are done.
-/// Throws the first exception that `work` throws in any of them, when all are done.
+/// their number when all are done. Throws the first exception that `work` throws in any of them,
+/// when all are done.
 int run_in_threads(int threads, const std::function<void()>& work);
 
 }  // namespace raytracing
