@@ -6,15 +6,11 @@
 namespace raytracing::methods {
 namespace {
 
-float pdf_w(const AreaLight& light, const Vertex& from, const Vec3& q) {
-  return area_pdf_w(light, from.position, q);
-}
-
 void estimate(const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
   const Vec2 second{query.sampler.extra(query.pair, 0), query.sampler.extra(query.pair, 1)};
   for (const Vec2& u : {query.u, second}) {
     const Vec3 q = sample_area(query.light, u);
-    estimate.add_point(q, pdf_w(query.light, query.vertex, q), 0.5f);
+    estimate.add_point(q, uniform_in_area_pdf_w(query.light, query.vertex, q), 0.5f);
   }
 }
 
@@ -28,7 +24,7 @@ DirectMethod point_2() {
           .colour = "#009e73",
           .mark = 11,
           .estimate = estimate,
-          .pdf_w = pdf_w};
+          .pdf_w = uniform_in_area_pdf_w};
 }
 
 }  // namespace raytracing::methods

@@ -1,4 +1,5 @@
-// The lobe that loops over shared paths evaluate, against the functions of each material.
+// What holds for every kind of material: its lobe in loops over shared paths, its samples, and the
+// horizon.
 
 #include "raytracing/materials/lobe.h"
 
@@ -64,6 +65,26 @@ void expect_black_below_the_horizon(const std::variant<Kinds...>*) {
         EXPECT_EQ(eval_cos(material, Vec3(0, 0.6f, 0.8f), wi), Rgb(0.0f));
         EXPECT_EQ(bsdf_pdf_w(material, Vec3(0, 0.6f, 0.8f), wi), 0);
       }
+}
+
+template <class... Kinds>
+void expect_samples_with_their_weight(const std::variant<Kinds...>*) {
+  TestRandom random(6);
+  for (const std::vector<Material>& materials : {examples(Kinds{})...})
+    for (const Material& material : materials)
+      for (int i = 0; i < 500; ++i) {
+        const Vec3 wo = above_horizon(random);
+        const auto sample = sample_bsdf(material, wo, random.unit2());
+        if (!sample) continue;
+        expect_near(sample->pdf_w, bsdf_pdf_w(material, wo, sample->wi), "density of a sample");
+        const Rgb f_cos = eval_cos(material, wo, sample->wi);
+        for (int c = 0; c < 3; ++c)
+          expect_near(sample->weight[c] * sample->pdf_w, f_cos[c], "f cos of a sample");
+      }
+}
+
+TEST(Materials, SampleWithTheirDensityAndWeight) {
+  expect_samples_with_their_weight(static_cast<const Material*>(nullptr));
 }
 
 TEST(Materials, AreBlackBelowTheHorizon) {

@@ -7,7 +7,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
-#include "raytracing/study/chart/report.h"
+#include "raytracing/study/chart/plot.h"
 #include "raytracing/study/page/result_folder.h"
 #include "study/made_up_chart.h"
 #include "support/temp_dir.h"

@@ -10,10 +10,6 @@
 namespace raytracing::methods {
 namespace {
 
-float pdf_w(const AreaLight& light, const Vertex& from, const Vec3& q) {
-  return area_pdf_w(light, from.position, q);
-}
-
 void estimate(const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
   const ChordSet& chords = query.light.chords[0];
   const std::optional<Chord> chord = chords.at(chords.u_of_area(query.u.x));
@@ -23,7 +19,7 @@ void estimate(const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
     const float jitter = query.sampler.extra(query.pair, static_cast<std::uint32_t>(i));
     const float t = (static_cast<float>(i) + jitter) / static_cast<float>(query.line_rays);
     const Vec3 q = chord->at(t);
-    estimate.add_point(q, pdf_w(query.light, query.vertex, q), share);
+    estimate.add_point(q, uniform_in_area_pdf_w(query.light, query.vertex, q), share);
   }
 }
 
@@ -37,7 +33,7 @@ DirectMethod line_rays() {
           .colour = "#56b4e9",
           .mark = 13,
           .estimate = estimate,
-          .pdf_w = pdf_w};
+          .pdf_w = uniform_in_area_pdf_w};
 }
 
 }  // namespace raytracing::methods

@@ -10,4 +10,10 @@ namespace raytracing::methods {
 #include "table.inc"
 #undef METHOD
 
+/// The density per steradian, as seen from the vertex, of points that are uniform in the area of
+/// the light: the DirectMethod::pdf_w of the methods that choose them so.
+inline float uniform_in_area_pdf_w(const AreaLight& light, const Vertex& from, const Vec3& q) {
+  return area_pdf_w(light, from.position, q);
+}
+
 }  // namespace raytracing::methods

@@ -11,13 +11,9 @@
 namespace raytracing::methods {
 namespace {
 
-float pdf_w(const AreaLight& light, const Vertex& from, const Vec3& q) {
-  return area_pdf_w(light, from.position, q);
-}
-
 void estimate(const DirectQuery& query, RayQueries&, DirectEstimate& estimate) {
   const Vec3 q = sample_area(query.light, query.u);
-  estimate.add_point(q, pdf_w(query.light, query.vertex, q));
+  estimate.add_point(q, uniform_in_area_pdf_w(query.light, query.vertex, q));
 }
 
 }  // namespace
@@ -30,7 +26,7 @@ DirectMethod point() {
           .colour = "#e69f00",
           .mark = 7,
           .estimate = estimate,
-          .pdf_w = pdf_w};
+          .pdf_w = uniform_in_area_pdf_w};
 }
 
 }  // namespace raytracing::methods

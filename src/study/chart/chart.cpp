@@ -8,6 +8,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/study/chart/plot.h"
 #include "raytracing/study/chart/report.h"
 #include "raytracing/study/chart/runs.h"
 #include "raytracing/study/chart/summary.h"
