@@ -38,4 +38,7 @@ class OutputFile {
   std::string temporary_;  ///< empty once committed or moved from
 };
 
+/// Writes a whole file by an OutputFile. Throws OutputError.
+void write_file(const std::string& path, std::string_view bytes);
+
 }  // namespace raytracing

@@ -51,12 +51,6 @@ bool read_number(std::string_view text, Number& number) {
   return stop == end && error == std::errc();
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
-  OutputFile file(path);
-  file.write(bytes);
-  file.commit();
-}
-
 [[noreturn]] void throw_not_written(const std::string& path) {
   throw OutputError(path + ": cannot be written");
 }

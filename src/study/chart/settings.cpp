@@ -81,9 +81,7 @@ nlohmann::ordered_json settings_json(const ChartSettings& settings, const std::s
 void claim_folder(const std::string& folder, const nlohmann::ordered_json& settings) {
   const std::string path = folder + "/settings.json";
   if (!std::filesystem::exists(path)) {
-    OutputFile file(path);
-    file.write(settings.dump(2) + "\n");
-    file.commit();
+    write_file(path, settings.dump(2) + "\n");
     return;
   }
   auto found = nlohmann::ordered_json::parse(read_file(path), nullptr, false);

@@ -26,9 +26,7 @@ ResultFolder::ResultFolder(std::string path, Announce announce)
 }
 
 void ResultFolder::write(const std::string& name, const std::string& bytes) const {
-  OutputFile file(path_ + "/" + name);
-  file.write(bytes);
-  file.commit();
+  write_file(path_ + "/" + name, bytes);
   announce_(name);
 }
 
