@@ -11,9 +11,9 @@
 set -eu
 cd "$(dirname "$0")"
 
-program_packages="g++ cmake make libembree-dev libopenexr-dev libpng-dev libglm-dev libcli11-dev
-  libtomlplusplus-dev nlohmann-json3-dev libfmt-dev gnuplot-nox"
-test_packages="libopenimageio-dev libgtest-dev libbenchmark-dev"
+program_packages="g++ cmake make libembree-dev libopenimageio-dev liblcms2-dev zlib1g-dev
+  libglm-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev gnuplot-nox"
+test_packages="libgtest-dev libbenchmark-dev"
 package_packages="dpkg-dev file"
 # Without these the tests that need them are skipped.
 tool_packages="chromium chromium-driver python3-selenium clang libclang-rt-dev clang-format

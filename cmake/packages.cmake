@@ -16,6 +16,21 @@ function(need package debian_package)
   endif()
 endfunction()
 
+# need_library(LIBRARY HEADER DEBIAN_PACKAGE) finds a library that has no CMake file and defines a
+# target of its name.
+function(need_library library header debian_package)
+  find_path(${library}_INCLUDE ${header})
+  find_library(${library}_LIBRARY ${library})
+  mark_as_advanced(${library}_INCLUDE ${library}_LIBRARY)
+  if(NOT ${library}_INCLUDE OR NOT ${library}_LIBRARY)
+    set_property(GLOBAL APPEND PROPERTY missing_packages ${debian_package})
+    return()
+  endif()
+  add_library(${library} INTERFACE)
+  target_include_directories(${library} SYSTEM INTERFACE ${${library}_INCLUDE})
+  target_link_libraries(${library} INTERFACE ${${library}_LIBRARY})
+endfunction()
+
 # Defines the target `openimageio`. Debian's CMake file for OpenImageIO asks for headers of OpenCV
 # that are not needed to use it, so the header and the libraries are looked for directly.
 function(need_openimageio)

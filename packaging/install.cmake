@@ -1,9 +1,11 @@
-# What `cmake --install` copies and `cpack` packs: the program, the scenes, the models, the documents.
+# What `cmake --install` copies and `cpack` packs: the program and its
+# module for images, the scenes, the models, the documents.
 include(GNUInstallDirs)
 set(data_folder ${CMAKE_INSTALL_DATADIR}/raytracing)
 set(doc_folder ${CMAKE_INSTALL_DATADIR}/doc/raytracing)
 
 install(TARGETS Raytracing)
+install(TARGETS raytracing_openimageio LIBRARY DESTINATION lib/raytracing)
 install(DIRECTORY scenes DESTINATION ${data_folder} FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY models DESTINATION ${data_folder}
   FILES_MATCHING PATTERN "*.obj" PATTERN "*.mtl")

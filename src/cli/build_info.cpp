@@ -1,15 +1,8 @@
 #include "build_info.h"
 
-#include <OpenEXR/OpenEXRConfig.h>
-#include <fmt/format.h>
-#include <png.h>
-#include <sys/resource.h>
-
-#if __has_include(<OpenImageIO/oiioversion.h>)
 #include <OpenImageIO/oiioversion.h>
-#else
-#define OIIO_VERSION_STRING "(not built)"
-#endif
+#include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <fstream>
 #include <thread>
@@ -99,10 +92,9 @@ std::string version_text() {
       "instruction set: {}\n"
       "ray queries: {}\n"
       "scenes: TOML, OBJ, MTL\n"
-      "images: EXR by OpenEXR {}, PNG by libpng {}\n"
-      "images in the tests: OpenImageIO {}\n",
+      "images: EXR, PNG, TIFF, JPEG, HDR and others by OpenImageIO {}\n",
       program_version(), build_description(), instruction_set(), embree_version(),
-      OPENEXR_VERSION_STRING, PNG_LIBPNG_VER_STRING, OIIO_VERSION_STRING);
+      OIIO_VERSION_STRING);
 }
 
 }  // namespace raytracing

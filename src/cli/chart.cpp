@@ -11,6 +11,7 @@
 #include "build_info.h"
 #include "common_options.h"
 #include "raytracing/io/errors.h"
+#include "raytracing/io/image_library.h"
 #include "raytracing/sampling/sampler.h"
 #include "raytracing/study/chart/runs.h"
 #include "raytracing/study/metrics/error_metrics.h"
@@ -138,6 +139,7 @@ int exit_code(ChartEnd end, int signal) {
 int chart_command(const Arguments& arguments) {
   const ChartArguments a = parse_chart_arguments(arguments);
   SceneInput input(a.scene, a.quiet, false);
+  image_library();  // which would disturb the first measurement if it were loaded then
   const ChartRequest request = chart_request(a, input.file(), arguments.command_line);
   const StopOnSignal signals;
   const auto asks_segments = [](const DirectMethod* m) { return m->asks_segments; };

@@ -16,6 +16,7 @@
 #include "raytracing/render/provenance.h"
 #include "raytracing/study/metrics/error_metrics.h"
 #include "raytracing/study/metrics/flip.h"
+#include "raytracing/study/metrics/overlap.h"
 #include "raytracing/study/metrics/z_scores.h"
 
 namespace raytracing {
@@ -23,6 +24,7 @@ namespace {
 
 struct CompareArguments {
   std::string test, reference;
+  std::string layer, reference_layer;      // "" = the picture itself
   std::string mask, diff, z_scores, json;  // "" = none
   std::optional<double> max_relmse;
 };
@@ -30,17 +32,22 @@ struct CompareArguments {
 CompareArguments parse_compare_arguments(const Arguments& arguments) {
   CompareArguments a;
   OptionList options(
-      "Compares image A with the reference image B. Both are EXR or PNG files; PNG values are "
-      "decoded from sRGB to linear.",
+      "Compares image A with the reference image B. Both are EXR, PNG, TIFF, JPEG, HDR, PFM or PNM "
+      "files. Colour profiles, gamma and chromaticities are converted to linear Rec. 709; integers "
+      "without them are sRGB. Of images that are parts of one picture, the pixels that both have "
+      "are compared.",
       "Raytracing compare");
   options.value("A", a.test, "FILE", "Image to evaluate.");
   options.value("B", a.reference, "FILE", "Reference image.");
   add_mask_option(options, a.mask);
-  options.value(
-      "--diff", a.diff, "FILE",
-      "Write the relative squared error of each pixel in false colour, .png or .exr, from "
-      "black (1e-5 or less) to light yellow (10 or more). Pixels that are not finite are "
-      "cyan, pixels outside the mask grey.");
+  options.value("--layer", a.layer, "NAME",
+                "Layer of A to compare, for example 'direct' or 'ViewLayer.DiffDir'. Default: the "
+                "channels R, G, B, or the layer that is called beauty or Combined.");
+  options.value("--reference-layer", a.reference_layer, "NAME", "The same for B.");
+  options.value("--diff", a.diff, "FILE",
+                "Write the relative squared error of each pixel in false colour, from "
+                "black (1e-5 or less) to light yellow (10 or more). Pixels that are not finite are "
+                "cyan, pixels outside the mask grey.");
   options.value(
       "--z-scores", a.z_scores, "FILE",
       "Write the z-score of each channel of each pixel to this .exr file; NaN where it is "
@@ -50,13 +57,14 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
                "finite.");
   options.value("--json", a.json, "FILE", "Write all values and their formulas as JSON.");
   options.footer(
-      "The input is also invalid (3) if the images differ in size, the mask selects no pixel, or\n"
-      "--z-scores is given but no image has variance channels.\n");
+      "The input is also invalid (3) if the images differ in size, have no pixel in common, the "
+      "mask\n"
+      "selects no pixel, or --z-scores is given but no image has variance channels.\n");
   options.parse(arguments.values);
   if (a.reference.empty()) throw_usage("two images are needed");
-  if (!a.diff.empty()) image_format(a.diff);
+  if (!a.diff.empty()) image_ending(a.diff);
   check_distinct({a.test, a.reference, a.mask}, {a.diff, a.z_scores, a.json});
-  if (!a.z_scores.empty() && image_format(a.z_scores) != ImageFormat::exr)
+  if (!a.z_scores.empty() && image_ending(a.z_scores) != "exr")
     throw_usage("--z-scores: " + a.z_scores + " is not an .exr file; z-scores may be negative");
   return a;
 }
@@ -64,6 +72,7 @@ CompareArguments parse_compare_arguments(const Arguments& arguments) {
 /// The images x and r, and all values that compare them.
 struct Comparison {
   std::string test_path, reference_path;
+  PixelWindow window;  ///< the pixels that are compared, of the whole picture
   ErrorMetrics metrics;
   double flip;
   std::optional<ZScores> z;
@@ -78,10 +87,12 @@ struct Row {
   std::string formula;
 };
 
-std::vector<Row> metric_rows(const ErrorMetrics& m, double flip) {
+std::vector<Row> metric_rows(const ErrorMetrics& m, const PixelWindow& window, double flip) {
   const std::string epsilon = fmt::format("{}", kRelMseEpsilon);
-  const std::string at =
-      m.largest_x < 0 ? "" : fmt::format(" of a channel, at pixel {},{}", m.largest_x, m.largest_y);
+  const std::string at = m.largest_x < 0
+                             ? ""
+                             : fmt::format(" of a channel, at pixel {},{}", window.x + m.largest_x,
+                                           window.y + m.largest_y);
   return {
       {"mse", "MSE", m.mse, "mean (x-r)^2"},
       {"rmse", "RMSE", m.rmse, "sqrt(MSE)"},
@@ -125,7 +136,7 @@ std::vector<Row> z_rows(const ZScores& z, const ExpectedScores& e) {
 }
 
 std::vector<Row> rows(const Comparison& c) {
-  std::vector<Row> result = metric_rows(c.metrics, c.flip);
+  std::vector<Row> result = metric_rows(c.metrics, c.window, c.flip);
   if (!c.z) return result;
   for (const Row& row : z_rows(*c.z, c.expected)) result.push_back(row);
   return result;
@@ -133,6 +144,8 @@ std::vector<Row> rows(const Comparison& c) {
 
 void add_notes_on(const ImageData& image, const RunFacts& facts, const std::string& path,
                   std::vector<std::string>& notes) {
+  for (const std::string& note : image.notes)
+    notes.push_back(fmt::format("note: {}: {}", path, note));
   if (facts.light_sampling_biased == true)
     notes.push_back(fmt::format(
         "note: {}: rendered by {}, a biased method that does not converge to the true image", path,
@@ -172,30 +185,54 @@ std::string comparison_json(const Comparison& c) {
     formulas[row.key] = row.formula;
   }
   j["largest_pixel"] = nullptr;
-  if (c.metrics.largest_x >= 0) j["largest_pixel"] = {c.metrics.largest_x, c.metrics.largest_y};
+  if (c.metrics.largest_x >= 0)
+    j["largest_pixel"] = {c.window.x + c.metrics.largest_x, c.window.y + c.metrics.largest_y};
   j["epsilon"] = kRelMseEpsilon;
   j["formulas"] = formulas;
   return j.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-// What the headers of the images say against the comparison, one line each: they show different
-// scenes, have the same random numbers, or are biased, unfinished or stored with 8 bits.
+// What the two headers state differently although it should be the same for a fair comparison.
+void add_differences(const RunFacts& x, const RunFacts& r, std::vector<std::string>& notes) {
+  const auto differ = [](const auto& a, const auto& b) { return a && b && *a != *b; };
+  if (differ(x.scene_hash, r.scene_hash))
+    notes.push_back(fmt::format("warning: the images show different scenes (scene_hash {} and {})",
+                                *x.scene_hash, *r.scene_hash));
+  if (x.max_depth && r.max_depth && to_text(*x.max_depth) != to_text(*r.max_depth))
+    notes.push_back(fmt::format("warning: the images differ in depth (max_depth {} and {})",
+                                to_text(*x.max_depth), to_text(*r.max_depth)));
+  if (differ(x.width, r.width) || differ(x.height, r.height))
+    notes.push_back(fmt::format(
+        "warning: the images were rendered at different sizes ({}x{} and {}x{})",
+        x.width.value_or(0), x.height.value_or(0), r.width.value_or(0), r.height.value_or(0)));
+  if (differ(x.light_sampling, r.light_sampling))
+    notes.push_back(fmt::format("note: the images were rendered by different methods ({} and {})",
+                                *x.light_sampling, *r.light_sampling));
+  if (x.scene_hash && x.scene_hash == r.scene_hash && x.seed && x.seed == r.seed && x.sampler &&
+      x.sampler == r.sampler)
+    notes.emplace_back(
+        "note: both images were rendered with the same seed; their errors are not independent");
+}
+
+// What the headers of the images say against the comparison and what reading them changed, one line
+// each.
 std::vector<std::string> header_notes(const ImageData& test, const std::string& test_path,
                                       const ImageData& reference,
                                       const std::string& reference_path) {
   std::vector<std::string> notes;
   const RunFacts x = facts_of(test.metadata), r = facts_of(reference.metadata);
-  const bool both = x.scene_hash && r.scene_hash;
-  if (both && x.scene_hash != r.scene_hash)
-    notes.push_back(fmt::format("warning: the images show different scenes (scene_hash {} and {})",
-                                *x.scene_hash, *r.scene_hash));
-  if (both && x.scene_hash == r.scene_hash && x.seed && x.seed == r.seed && x.sampler &&
-      x.sampler == r.sampler)
-    notes.emplace_back(
-        "note: both images were rendered with the same seed; their errors are not independent");
+  add_differences(x, r, notes);
   add_notes_on(test, x, test_path, notes);
   add_notes_on(reference, r, reference_path, notes);
   return notes;
+}
+
+void add_window_note(const ImageData& test, const ImageData& reference, const PixelWindow& window,
+                     std::vector<std::string>& notes) {
+  if (window_of(test) == window && window_of(reference) == window) return;
+  notes.push_back(
+      fmt::format("note: only the {}x{} pixels at {},{} that both images have are compared",
+                  window.width, window.height, window.x, window.y));
 }
 
 // An optional output, created before the work is done.
@@ -230,13 +267,21 @@ bool within_limit(const ErrorMetrics& m, const std::optional<double>& limit) {
 
 int compare_command(const Arguments& arguments) {
   const CompareArguments a = parse_compare_arguments(arguments);
-  const ImageData test = read_image(a.test), reference = read_image(a.reference);
-  if (test.width != reference.width || test.height != reference.height)
-    throw InputError(fmt::format("{}: {}x{} pixels, but {} has {}x{}", a.test, test.width,
-                                 test.height, a.reference, reference.width, reference.height));
-  const PixelMask mask = read_mask(a.mask, test.width, test.height);
+  ImageData test = read_image(a.test, a.layer);
+  ImageData reference = read_image(a.reference, a.reference_layer);
+  const auto window = common_window(test, reference);
+  if (!window)
+    throw InputError(fmt::format("{}: {}, but {} has {}", a.test, pixels_text(test), a.reference,
+                                 pixels_text(reference)));
+  std::vector<std::string> notes = header_notes(test, a.test, reference, a.reference);
+  add_window_note(test, reference, *window, notes);
+  const PixelWindow whole = whole_of(test);
+  const PixelMask mask = read_mask(a.mask, whole.width, whole.height, *window, notes);
+  test = cropped(test, *window);
+  reference = cropped(reference, *window);
   const Comparison comparison{a.test,
                               a.reference,
+                              *window,
                               error_metrics(test, reference, mask),
                               masked_mean(flip_map(test, reference), mask),
                               z_scores(test, reference, mask),
@@ -244,13 +289,11 @@ int compare_command(const Arguments& arguments) {
   if (comparison.metrics.pixels == 0)
     throw InputError("no pixel to compare: all are outside the mask or not finite");
   std::string z_bytes;
-  if (!a.z_scores.empty())
-    z_bytes = encode_image(z_score_picture(test, reference), ImageFormat::exr);
+  if (!a.z_scores.empty()) z_bytes = encode_image(z_score_picture(test, reference), "exr");
   Output diff(a.diff), z_scores(a.z_scores), json(a.json);
-  for (const std::string& note : header_notes(test, a.test, reference, a.reference))
-    print_message("{}\n", one_line(note));
+  for (const std::string& note : notes) print_message("{}\n", one_line(note));
   fmt::print("{}", comparison_text(comparison));
-  if (diff) diff.write(encode_image(error_picture(test, reference, mask), image_format(a.diff)));
+  if (diff) diff.write(encode_image(error_picture(test, reference, mask), image_ending(a.diff)));
   if (z_scores) z_scores.write(z_bytes);
   if (json) json.write(comparison_json(comparison));
   return within_limit(comparison.metrics, a.max_relmse) ? kExitGood : kExitCheckFailed;

@@ -10,6 +10,7 @@
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
+#include "raytracing/io/image_library.h"
 #include "raytracing/render/provenance.h"
 #include "render_options.h"
 #include "scene_input.h"
@@ -18,7 +19,8 @@
 namespace raytracing {
 namespace {
 
-// All files that the run will write, created before any work is done.
+// All files that the run will write, created before any work is done, and the library that writes
+// them.
 class Outputs {
  public:
   Outputs(const RenderArguments& a, const SceneFile& file) : variance_(a.variance) {
@@ -30,17 +32,18 @@ class Outputs {
     check_distinct(inputs, all);
     for (const std::string& name : names) images_.emplace_back(name);
     if (!a.stats.empty()) stats_.emplace(a.stats);
-    const auto is_exr = [](const std::string& name) {
-      return image_format(name) == ImageFormat::exr;
-    };
+    const auto is_exr = [](const std::string& name) { return image_ending(name) == "exr"; };
     if (a.variance && std::none_of(names.begin(), names.end(), is_exr))
       print_message("warning: --variance has no effect: no output is an .exr file\n");
   }
 
+  /// Finds out during the rendering, not behind it, that no image could be written.
+  void check() const { library_.check(); }
+
   void write(const Film& film, const RunFacts& facts, bool quiet) {
     const ImageData image = to_image(film, facts, variance_);
     for (OutputFile& file : images_) {
-      file.write(encode_image(image, image_format(file.path())));
+      file.write(encode_image(image, image_ending(file.path())));
       file.commit();
       if (!quiet) fmt::print("{}\n", file.path());
     }
@@ -50,6 +53,7 @@ class Outputs {
   }
 
  private:
+  ImageLibraryPreload library_;
   bool variance_;
   std::vector<OutputFile> images_;
   std::optional<OutputFile> stats_;
@@ -134,8 +138,10 @@ int render_command(const Arguments& arguments) {
   }
   ProgressDisplay display(a.shown_progress());
   const RenderResult result =
-      render(scene, options, signals.stop(),
-             [&](std::uint64_t done, std::uint64_t total) { display.update(done, total); });
+      render(scene, options, signals.stop(), [&](std::uint64_t done, std::uint64_t total) {
+        outputs->check();
+        display.update(done, total);
+      });
   if (result.paths == 0) {  // nothing to keep, and an older image is better than a black one
     print_message("stopped before the first sample: nothing written\n");
     return kExitSignalBase + signals.signal();

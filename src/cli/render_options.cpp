@@ -139,7 +139,7 @@ RenderArguments parse_render_arguments(const Arguments& arguments) {
   if (list_methods) throw TextRequest{methods_text()};
   if (version) throw TextRequest{version_text()};
   resolve_scene(a.scene, is_word(a.scene) ? subcommand_hint(a.scene) : "");
-  for (const std::string& output : a.outputs) image_format(output);
+  for (const std::string& output : a.outputs) image_ending(output);
   return a;
 }
 

@@ -4,27 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <set>
 #include <string_view>
 
-#include "image_codecs.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/io/image_library.h"
 
 namespace raytracing {
 namespace {
-
-// The linear value at which each code from 1 to 255 begins: the sRGB decoding of code - 1/2.
-std::array<double, 255> make_code_thresholds() {
-  std::array<double, 255> thresholds{};
-  for (std::size_t i = 0; i < thresholds.size(); ++i)
-    thresholds[i] = srgb_to_linear((static_cast<double>(i) + 0.5) / 255);
-  return thresholds;
-}
 
 void check_layout(const ImageData& image) {
   const std::set<std::string> names(image.channels.begin(), image.channels.end());
@@ -38,14 +29,10 @@ void check_layout(const ImageData& image) {
     throw OutputError("an image's values do not fill its pixels and channels");
 }
 
-constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
-constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
-
-ImageData decode(const std::string& bytes) {
-  if (bytes.starts_with(kExrMagic)) return decode_exr(bytes);
-  if (bytes.starts_with(kPngMagic)) return decode_png(bytes);
-  throw InputError("neither an EXR nor a PNG image");
-}
+// The endings that need no library to be known: those of formats that carry the facts of a run or
+// more than 8 bits.
+constexpr std::array<std::string_view, 7> kKnownEndings{"png", "exr",  "tif", "tiff",
+                                                        "jpg", "jpeg", "hdr"};
 
 }  // namespace
 
@@ -77,50 +64,40 @@ ImageData to_image(const Film& film, RunFacts facts, bool variance) {
   return image;
 }
 
-ImageFormat image_format(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension)
+std::string image_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension == ".png") return ImageFormat::png;
-  if (extension == ".exr") return ImageFormat::exr;
-  throw UsageError(path + ": the name of an image must end in .png or .exr");
+  if (!ending.empty()) ending.erase(0, 1);
+  if (std::find(kKnownEndings.begin(), kKnownEndings.end(), ending) != kKnownEndings.end())
+    return ending;
+  const std::vector<std::string> endings = image_library().endings();
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+    throw UsageError(fmt::format("{}: the name of an image must end in one of .{}", path,
+                                 fmt::join(endings, " .")));
+  return ending;
 }
 
-double srgb_to_linear(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+bool holds_floats(const std::string& ending, bool as_float) {
+  return ending == "exr" || ending == "hdr" || (as_float && ending.starts_with("tif"));
 }
 
-std::uint8_t srgb8(float linear) {
-  static const std::array<double, 255> thresholds = make_code_thresholds();
-  if (!(linear > 0)) return 0;  // catches NaN, too
-  const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
-  return static_cast<std::uint8_t>(above - thresholds.begin());
-}
-
-std::string encode_image(const ImageData& image, ImageFormat format) {
+std::string encode_image(const ImageData& image, const std::string& ending, bool as_float) {
   check_layout(image);
-  return format == ImageFormat::png ? encode_png(image) : encode_exr(image);
+  return image_library().encode(image, ending, holds_floats(ending, as_float));
 }
 
-void check_image_size(std::int64_t width, std::int64_t height, std::size_t channels) {
-  constexpr std::int64_t kMaxSide = 65536;
-  constexpr std::uint64_t kMaxValues = std::uint64_t{1} << 28;
-  if (width < 1 || height < 1) throw InputError("has no pixels");
-  if (width <= kMaxSide && height <= kMaxSide && channels <= kMaxValues &&
-      static_cast<std::uint64_t>(width * height) * channels <= kMaxValues)
-    return;
-  throw InputError(fmt::format("{}x{} pixels of {} channels are more than can be read", width,
-                               height, channels));
-}
-
-ImageData decode_image(const std::string& bytes, const std::string& file) {
+ImageData decode_image(const std::string& bytes, const std::string& file,
+                       const std::string& layer) {
   try {
-    return decode(bytes);
+    return image_library().decode(bytes, layer);
   } catch (const InputError& error) {
     throw InputError(TextLocation{file}, error.what());
   }
 }
 
-ImageData read_image(const std::string& path) { return decode_image(read_file(path), path); }
+ImageData read_image(const std::string& path, const std::string& layer) {
+  return decode_image(read_file(path), path, layer);
+}
 
 }  // namespace raytracing

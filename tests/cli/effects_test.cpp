@@ -6,7 +6,7 @@
 
 #include "raytracing/integrator/direct_method.h"
 #include "support/cli_folder.h"
-#include "support/read_image.h"
+#include "support/oiio.h"
 
 namespace raytracing {
 namespace {

@@ -150,7 +150,7 @@ TEST(Options, VersionNamesTheBuild) {
   const RunResult run = CliFolder().run({"--version"});
   EXPECT_EQ(run.exit_code, 0);
   for (const char* part :
-       {"Raytracing ", "build: ", "instruction set: ", "Embree", "OpenEXR", "OpenImageIO", "OBJ"})
+       {"Raytracing ", "build: ", "instruction set: ", "Embree", "OpenImageIO", "OBJ"})
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
 }
 
@@ -233,7 +233,7 @@ TEST(WrongOptions, ShapeOfTheCommandLine) {
            {{kCornell, "--output"}, "--output: needs a value"},
            {{kCornell, "-o"}, "--output: needs a value"},
            {{kCornell, "--stats"}, "--stats: needs a value"},
-           {{kCornell, "-o", "x.jpg"}, "x.jpg: the name of an image must end in .png or .exr"},
+           {{kCornell, "-o", "x.foo"}, "x.foo: the name of an image must end in one of .exr"},
            {{kCornell, "-o", ".png"}, ".png: "},
            {{kCornell, "--replay", "1,2"}, "--replay: '1,2' is not of the form X,Y,SAMPLE"},
            {{kCornell, "--replay", "1,2,3,4"}, "--replay: '1,2,3,4' is not of the form X,Y,SAMPLE"},

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "support/cli_folder.h"
-#include "support/read_image.h"
+#include "support/oiio.h"
 
 namespace raytracing {
 namespace {

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kTiny{"--width=4", "--height=4", "--spp=1", "-o", "x.png"};
 
-/// The program as it is installed: <prefix>/bin and <prefix>/share/raytracing.
+/// The program as it is installed: in <prefix>/bin, <prefix>/lib and <prefix>/share/raytracing.
 class Installed : public ::testing::Test {
  protected:
   Installed() {
@@ -19,6 +19,8 @@ class Installed : public ::testing::Test {
     fs::create_directories(prefix_ / "bin");
     fs::create_directories(share);
     fs::copy(RAYTRACING_PROGRAM, program());
+    fs::copy(fs::path(RAYTRACING_PROGRAM).parent_path() / "lib", prefix_ / "lib",
+             fs::copy_options::recursive);
     fs::copy(source / "scenes", share / "scenes", fs::copy_options::recursive);
     fs::copy(source / "models", share / "models", fs::copy_options::recursive);
   }
@@ -58,6 +60,28 @@ TEST_F(Installed, ScenesAreFoundByName) {
 }
 
 // A link to the program, as in /usr/local/bin, leads to the same scenes.
+TEST_F(Installed, AMissingModuleForImagesIsFoundBeforeRendering) {
+  fs::remove_all(prefix_ / "lib");
+  const RunResult missing = render("cornell", {"--quiet"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_TRUE(missing.err.starts_with(
+      "Raytracing: the module for images, lib/raytracing/openimageio.so, is neither in "))
+      << missing.err;
+  EXPECT_EQ(lines_of(missing.err), 1u) << missing.err;
+  EXPECT_EQ(at_.names(), Names{});
+  EXPECT_EQ(run({"--version"}).exit_code, 0);
+}
+
+TEST_F(Installed, AModuleThatCannotBeLoadedStopsTheRendering) {
+  std::ofstream(prefix_ / "lib/raytracing/openimageio.so") << "no library";
+  const RunResult broken = run({"--scene", "cornell", "--quiet", "--spp=1000000", "-o", "x.png"});
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_TRUE(broken.err.starts_with("Raytracing: the module for images cannot be loaded: "))
+      << broken.err;
+  EXPECT_EQ(lines_of(broken.err), 1u) << broken.err;
+  EXPECT_EQ(at_.names(), Names{});
+}
+
 TEST_F(Installed, ScenesAreFoundThroughALink) {
   fs::create_symlink(program(), at_.folder / "link");
   RunOptions options;

@@ -10,9 +10,12 @@
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
+#include "raytracing/io/srgb.h"
+#include "refusal.h"
+#include "support/oiio.h"
 #include "support/temp_dir.h"
 
-// OpenImageIO writes the files of kinds that this program does not write.
+// The library itself writes the files of kinds that this program does not write.
 
 namespace raytracing {
 namespace {
@@ -26,40 +29,12 @@ ImageData small_picture() {
   return image;
 }
 
-/// Writes the values, converted from float to `type`; 1 becomes the largest integer.
-template <class Value>
-std::string write_oiio(const TempDir& folder, const std::string& name, OIIO::ImageSpec spec,
-                       const std::vector<Value>& values) {
-  const std::string path = folder / name;
-  const auto output = OIIO::ImageOutput::create(path);
-  if (!output->open(path, spec)) throw std::runtime_error(output->geterror());
-  const bool written = spec.tile_width == 0
-                           ? output->write_image(OIIO::BaseTypeFromC<Value>::value, values.data())
-                           : output->write_tiles(0, spec.width, 0, spec.height, 0, 1,
-                                                 OIIO::BaseTypeFromC<Value>::value, values.data());
-  if (!written) throw std::runtime_error(output->geterror());
-  output->close();
-  return path;
-}
-
-std::string refusal(const std::string& path) {
-  try {
-    read_image(path);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    EXPECT_TRUE(what.starts_with(path + ": ")) << what;
-    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-    return what.substr(std::min(what.size(), path.size() + 2));
-  }
-  return "read";
-}
-
 float linear(double code, double most) { return static_cast<float>(srgb_to_linear(code / most)); }
 
 TEST(ReadExr, RestoresWhatWasWritten) {
   const TempDir folder;
   const ImageData image = small_picture();
-  const std::string path = folder.write("x.exr", encode_image(image, ImageFormat::exr));
+  const std::string path = folder.write("x.exr", encode_image(image, "exr"));
   const ImageData back = read_image(path);
   EXPECT_EQ(back.width, 3);
   EXPECT_EQ(back.height, 2);
@@ -74,7 +49,7 @@ TEST(ReadExr, KeepsNonFiniteValues) {
   ImageData image{2, 1, {"R", "G", "B"}, {}, {}};
   const float inf = std::numeric_limits<float>::infinity();
   image.values = {inf, -inf, std::numeric_limits<float>::quiet_NaN(), -1, 3e38f, 1e-45f};
-  const ImageData back = read_image(folder.write("x.exr", encode_image(image, ImageFormat::exr)));
+  const ImageData back = read_image(folder.write("x.exr", encode_image(image, "exr")));
   ASSERT_EQ(back.values.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(std::bit_cast<std::uint32_t>(back.values[i]),
@@ -91,7 +66,7 @@ TEST(ReadExr, TakesHalfUintTilesAndAnyDataWindow) {
        {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT32})
     for (const int tile : {0, 16}) {
       OIIO::ImageSpec spec(kWidth, kHeight, 4, type);
-      spec.channelnames = {"R", "G", "B", "Z"};
+      spec.channelnames = {"R", "G", "B", "halfA.R"};
       spec.x = -7;
       spec.y = 11;
       spec.tile_width = spec.tile_height = tile;
@@ -101,20 +76,11 @@ TEST(ReadExr, TakesHalfUintTilesAndAnyDataWindow) {
                                    ? write_oiio(folder, "x.exr", spec, whole)
                                    : write_oiio(folder, "x.exr", spec, values);
       const ImageData back = read_image(path);
-      EXPECT_EQ(back.channels, (Channels{"R", "G", "B", "Z"}));
+      EXPECT_EQ(back.channels, (Channels{"R", "G", "B", "halfA.R"}));
       EXPECT_EQ(back.width, kWidth);
       EXPECT_EQ(back.height, kHeight);
       EXPECT_EQ(back.values, values) << type.c_str() << " " << tile;
     }
-}
-
-TEST(ReadExr, NeedsRedGreenAndBlue) {
-  const TempDir folder;
-  for (const Channels& channels : std::vector<Channels>{{"R", "G"}, {"Y"}, {"r", "g", "b"}}) {
-    const ImageData image{1, 1, channels, std::vector<float>(channels.size()), {}};
-    EXPECT_EQ(refusal(folder.write("x.exr", encode_image(image, ImageFormat::exr))),
-              "has no channels R, G and B");
-  }
 }
 
 TEST(ReadPng, DecodesWhatWasWritten) {
@@ -123,7 +89,7 @@ TEST(ReadPng, DecodesWhatWasWritten) {
   for (int code = 0; code < 256; ++code)
     for (const int c : {code, 255 - code, (code + 85) % 256})
       image.values.push_back(linear(c, 255));
-  const ImageData back = read_image(folder.write("x.png", encode_image(image, ImageFormat::png)));
+  const ImageData back = read_image(folder.write("x.png", encode_image(image, "png")));
   EXPECT_EQ(back.width, 256);
   EXPECT_EQ(back.height, 1);
   EXPECT_EQ(back.channels, image.channels);
@@ -165,35 +131,25 @@ TEST(ReadPng, TakesGreySixteenBitsAndOpaqueAlpha) {
   EXPECT_EQ(refusal(write_oiio(folder, "seen.png", rgba, values)), "has transparent pixels");
 }
 
-TEST(ReadPng, RefusesAnotherGamma) {
-  const TempDir folder;
-  OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:Gamma", 1.0f);
-  spec.attribute("oiio:ColorSpace", "GammaCorrected");
-  const std::vector<std::uint8_t> values = {1, 2, 3};
-  EXPECT_EQ(refusal(write_oiio(folder, "x.png", spec, values)),
-            "its gamma is 1.00000, not that of sRGB");
-}
-
 TEST(ReadImage, RefusesWhatIsNoPicture) {
   const TempDir folder;
   EXPECT_EQ(refusal(folder / "nope.exr"), "No such file or directory");
   EXPECT_EQ(refusal(folder.path()), "Is a directory");
   for (const char* text : {"", "x", "\x89PNG", "RIFF and more of the like"})
-    EXPECT_EQ(refusal(folder.write("x.png", text)), "neither an EXR nor a PNG image");
+    EXPECT_EQ(refusal(folder.write("x.png", text)),
+              "not an image of a known format: EXR, PNG, TIFF, JPEG, HDR, PFM or PNM");
 }
 
 TEST(ReadImage, GoesByTheBytesNotTheName) {
   const TempDir folder;
   const ImageData image = small_picture();
-  EXPECT_EQ(read_image(folder.write("x.png", encode_image(image, ImageFormat::exr))).values,
-            image.values);
+  EXPECT_EQ(read_image(folder.write("x.png", encode_image(image, "exr"))).values, image.values);
 }
 
 // Prefixes of every third length cut each part of a file.
 TEST(ReadImage, RefusesTruncatedFiles) {
   const TempDir folder;
-  for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
+  for (const char* format : {"exr", "png"}) {
     const std::string bytes = encode_image(small_picture(), format);
     for (std::size_t size = 0; size < bytes.size(); size += 3)
       ASSERT_NE(refusal(folder.write("x", std::string_view(bytes).substr(0, size))), "read")
@@ -204,7 +160,7 @@ TEST(ReadImage, RefusesTruncatedFiles) {
 // A flipped byte leads to an image or an InputError, nothing else.
 TEST(ReadImage, SurvivesDamagedBytes) {
   const TempDir folder;
-  for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
+  for (const char* format : {"exr", "png"}) {
     const std::string good = encode_image(small_picture(), format);
     for (std::size_t i = 0; i < good.size(); ++i) {
       std::string bytes = good;
@@ -225,7 +181,7 @@ std::string with_number(std::string bytes, std::string_view name, std::size_t sk
 
 TEST(ReadImage, RefusesHugeClaimsBeforeTakingTheMemory) {
   const TempDir folder;
-  const std::string exr = encode_image(small_picture(), ImageFormat::exr);
+  const std::string exr = encode_image(small_picture(), "exr");
   const std::size_t window = sizeof("dataWindow") + sizeof("box2i") + 4;
   for (const auto& [field, claim] :
        std::vector<std::pair<std::size_t, std::uint32_t>>{{2, 65536},
@@ -250,7 +206,7 @@ TEST(ReadImage, RefusesHugeClaimsBeforeTakingTheMemory) {
 // would then allocate 2 GB for a text.
 TEST(ReadImage, RefusesAttributesThatShiftTheNext) {
   const TempDir folder;
-  const std::string exr = encode_image(small_picture(), ImageFormat::exr);
+  const std::string exr = encode_image(small_picture(), "exr");
   const auto with_size = [&](std::string_view name, std::string_view type, char size) {
     std::string bytes = exr;
     bytes[bytes.find(name) + name.size() + type.size() + 2] = size;
@@ -267,7 +223,7 @@ TEST(ReadImage, RefusesAttributesThatShiftTheNext) {
 // These few bytes once allocated 16 MB and 700 MB.
 TEST(ReadImage, RefusesChunksAndTilesThatTheFileDoesNotHold) {
   const TempDir folder;
-  const std::string png = encode_image(small_picture(), ImageFormat::png);
+  const std::string png = encode_image(small_picture(), "png");
   std::string text = png.substr(0, 33) + std::string("\x00\xf0\x00\x00tEXt", 8) + png.substr(33);
   EXPECT_EQ(refusal(folder.write("x", text)), "damaged PNG image: cut off within a chunk");
 
@@ -281,7 +237,7 @@ TEST(ReadImage, RefusesChunksAndTilesThatTheFileDoesNotHold) {
   const std::size_t window = sizeof("dataWindow") + sizeof("box2i") + 4;
   small = with_number(small, "dataWindow", window + 8, 9000, false);
   small = with_number(small, "dataWindow", window + 12, 9000, false);
-  EXPECT_EQ(refusal(folder.write("x", small)), "is too short for its tiles");
+  EXPECT_EQ(refusal(folder.write("x", small)), "is too short for its tiles or rows");
 }
 
 }  // namespace

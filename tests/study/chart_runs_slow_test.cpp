@@ -59,7 +59,7 @@ class ChartBias : public ::testing::Test {
       ImageData image = read_image(path);
       for (float& value : image.values) value *= factor;
       image.metadata.clear();
-      write_file(path, encode_image(image, ImageFormat::exr));
+      write_file(path, encode_image(image, "exr"));
     }
   }
 
@@ -127,7 +127,7 @@ TEST_F(ChartRuns, AReferenceRenderedInNoTimeHasTwoChunks) {
   const RunFacts header = facts_of(picture->metadata);
   EXPECT_EQ(header.spp, 32u);
   EXPECT_EQ(header.light_sampling, "line");
-  write_file(folder_ / "rendered.exr", encode_image(*picture, ImageFormat::exr));
+  write_file(folder_ / "rendered.exr", encode_image(*picture, "exr"));
   ReferenceTerms terms{16, 16, settings_.scene_hash, depth_text(settings_.max_depth), {}};
   for (const PlannedRun& run : plan_runs(settings_)) terms.seeds.push_back(run.seed);
   const Reference read = read_reference(folder_ / "rendered.exr", terms);

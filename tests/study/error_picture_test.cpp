@@ -7,6 +7,7 @@
 #include <string>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/io/srgb.h"
 #include "raytracing/study/metrics/error_metrics.h"
 
 namespace raytracing {

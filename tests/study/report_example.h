@@ -20,7 +20,7 @@ inline std::string example_png(int red, int green, int blue) {
       }
     }
   }
-  return encode_image(image, ImageFormat::png);
+  return encode_image(image, "png");
 }
 
 /// Every part of a report, with characters that HTML would take for itself.

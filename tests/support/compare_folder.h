@@ -27,7 +27,7 @@ inline ImageData random_picture(int width, int height, unsigned seed) {
 /// A folder with pictures to compare.
 struct CompareFolder : CliFolder {
   void write(const std::string& name, const ImageData& image) const {
-    folder.write(name, encode_image(image, image_format(name)));
+    folder.write(name, encode_image(image, image_ending(name)));
   }
   RunResult compare(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "compare");

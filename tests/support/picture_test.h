@@ -15,7 +15,7 @@
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
 #include "support/compare_pictures.h"
-#include "support/read_image.h"
+#include "support/oiio.h"
 
 namespace raytracing {
 
@@ -68,7 +68,7 @@ inline void write_artefacts(const std::string& name, const NoisyPicture& test,
     for (const DVec3& p : pixels)
       for (double c : {p.x, p.y, p.z}) image.values.push_back(static_cast<float>(c));
     const std::filesystem::path path = folder / (name + suffix);
-    std::ofstream(path, std::ios::binary) << encode_image(image, image_format(path.string()));
+    std::ofstream(path, std::ios::binary) << encode_image(image, image_ending(path.string()));
     std::cerr << "written: " << path.string() << "\n";
   };
   std::vector<DVec3> difference, shown;

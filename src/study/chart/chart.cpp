@@ -24,7 +24,7 @@ class Chart {
       : request_(request), settings_(request.settings), stop_(stop), listener_(listener) {}
 
   ChartEnd make(const Scene& scene) {
-    const PixelMask mask = read_mask(request_.mask, settings_.width, settings_.height);
+    const PixelMask mask = read_chart_mask();
     if (!request_.mask.empty()) mask_id_ = hash_of_file(request_.mask);
     std::optional<Reference> reference;
     reference_id_ = reference_id();
@@ -61,6 +61,14 @@ class Chart {
     return terms;
   }
 
+  PixelMask read_chart_mask() const {
+    std::vector<std::string> notes;
+    PixelMask mask = read_mask(request_.mask, settings_.width, settings_.height,
+                               {0, 0, settings_.width, settings_.height}, notes);
+    for (const std::string& note : notes) listener_.note(note);
+    return mask;
+  }
+
   // Names everything that the reference depends on.
   std::string reference_id() const {
     if (!is_automatic()) return "file of hash " + hash_of_file(request_.reference);
@@ -70,6 +78,8 @@ class Chart {
 
   Reference read_reference_file() const {
     Reference reference = read_reference(request_.reference, terms());
+    for (const std::string& note : reference.picture.notes)
+      listener_.note(fmt::format("note: {}: {}", request_.reference, note));
     if (!reference.unchecked.empty())
       listener_.warn(fmt::format("{}: not checked, since its header lacks them: {}",
                                  request_.reference, reference.unchecked));
@@ -91,7 +101,7 @@ class Chart {
         render_reference(scene, settings_, request_.reference_seconds, stop_, progress());
     listener_.progress_ended(picture.has_value());
     if (!picture) return std::nullopt;
-    file.write(encode_image(*picture, ImageFormat::exr));
+    file.write(encode_image(*picture, "exr"));
     file.commit();
     return to_reference(std::move(*picture));
   }

@@ -37,8 +37,7 @@ const ChartPoint& best_within(const MethodSummary& method, double seconds) {
 
 // A PNG without a header, since the page lists the facts.
 std::string png(const ImageData& image) {
-  return encode_image({image.width, image.height, image.channels, image.values, {}},
-                      ImageFormat::png);
+  return encode_image({image.width, image.height, image.channels, image.values, {}}, "png");
 }
 
 ReportPicture picture_of(const MethodSummary& method, double seconds, const RunLog& log,

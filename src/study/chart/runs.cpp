@@ -285,7 +285,7 @@ bool make_runs(const Scene& scene, const ChartSettings& settings, const GroundTr
     add_result(facts, run_options(settings, run), result);
     const ImageData picture = to_image(result.film, facts);
     write_file(log.picture_path(run.method->name, run.spp, run.repetition),
-               encode_image(picture, ImageFormat::exr));
+               encode_image(picture, "exr"));
     log.add(measured(facts, run.repetition, picture, truth));
   }
   return true;

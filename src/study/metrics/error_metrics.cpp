@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "raytracing/io/srgb.h"
+
 namespace raytracing {
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/image.h"
+#include "raytracing/study/metrics/overlap.h"
 
 namespace raytracing {
 namespace {
@@ -43,13 +44,15 @@ PixelMask to_mask(const ImageData& mask) {
   return result;
 }
 
-PixelMask read_mask(const std::string& path, int width, int height) {
+PixelMask read_mask(const std::string& path, int width, int height, const PixelWindow& pixels,
+                    std::vector<std::string>& notes) {
   if (path.empty()) return {};
   const ImageData mask = read_image(path);
-  if (mask.width != width || mask.height != height)
-    throw InputError(fmt::format("{}: {}x{} pixels, but the pictures have {}x{}", path, mask.width,
-                                 mask.height, width, height));
-  PixelMask result = to_mask(mask);
+  if (mask.whole || mask.width != width || mask.height != height)
+    throw InputError(
+        fmt::format("{}: {}, but the pictures have {}x{}", path, pixels_text(mask), width, height));
+  for (const std::string& note : mask.notes) notes.push_back("note: " + path + ": " + note);
+  PixelMask result = to_mask(cropped(mask, pixels));
   if (std::find(result.begin(), result.end(), 1) == result.end())
     throw InputError(path + ": no pixel of the mask is white, so that none would count");
   return result;

@@ -7,9 +7,8 @@
 #include <numeric>
 
 #include "raytracing/io/errors.h"
-#include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
-#include "raytracing/study/metrics/pixels.h"
+#include "raytracing/study/metrics/overlap.h"
 
 namespace raytracing {
 namespace {
@@ -127,10 +126,14 @@ Reference to_reference(ImageData picture) {
 }
 
 Reference read_reference(const std::string& path, const ReferenceTerms& terms) {
-  if (read_file(path).starts_with("\x89PNG"))
-    throw InputError(path + ": 8 bits are too few for a reference; it must be an EXR");
   Reference reference = to_reference(read_image(path));
   const ImageData& picture = reference.picture;
+  if (picture.integer_bits > 0)
+    throw InputError(
+        fmt::format("{}: {} bits are too few for a reference; it must hold floats, as "
+                    "an EXR file does",
+                    path, picture.integer_bits));
+  if (picture.whole) throw InputError(path + ": not a reference: only " + pixels_text(picture));
   expect_equal(path, "size", fmt::format("{}x{}", picture.width, picture.height),
                fmt::format("{}x{}", terms.width, terms.height));
   const RunFacts facts = facts_of(picture.metadata);

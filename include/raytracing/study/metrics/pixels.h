@@ -45,9 +45,11 @@ inline bool counts(const PixelMask& mask, std::size_t pixel) {
 /// A mask from a picture: a pixel counts where the linear mean of R, G, B is at least 1/2.
 PixelMask to_mask(const ImageData& mask);
 
-/// Reads a mask from a picture of this size; the path "" gives the empty mask. Throws InputError,
-/// also for a mask without a white pixel.
-PixelMask read_mask(const std::string& path, int width, int height);
+/// Reads the mask for those pixels of a picture of this size; the path "" gives the empty mask.
+/// Appends what reading changed or chose to `notes`, as messages of one line. Throws InputError, also for a mask without a
+/// white pixel.
+PixelMask read_mask(const std::string& path, int width, int height, const PixelWindow& pixels,
+                    std::vector<std::string>& notes);
 
 /// Throws InputError, with both sizes in its message, unless the sizes are equal.
 void check_same_size(const ImageData& test, const ImageData& reference);

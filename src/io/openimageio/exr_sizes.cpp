@@ -3,10 +3,10 @@
 #include <cstring>
 #include <string_view>
 
-#include "image_codecs.h"
+#include "fences.h"
 #include "raytracing/io/errors.h"
 
-namespace raytracing {
+namespace raytracing::openimageio {
 namespace {
 
 constexpr std::size_t kMagicAndVersion = 8;
@@ -75,22 +75,63 @@ void check_value(std::string_view type, std::string_view value) {
   }
 }
 
+// The chunks of pixels that a header promises: OpenEXR allocates the table of their places before
+// it reads it.
+class ChunkCount {
+ public:
+  void read(std::string_view name, std::string_view type, std::string_view value) {
+    Reader reader(value);
+    if (name == "dataWindow" && type == "box2i") {
+      const std::int64_t left = signed_word(reader), top = signed_word(reader);
+      width_ = signed_word(reader) - left + 1;
+      height_ = signed_word(reader) - top + 1;
+    } else if (name == "tiles" && type == "tiledesc") {
+      tile_width_ = reader.word();
+      tile_height_ = reader.word();
+    }
+  }
+
+  /// At least this many for the largest level.
+  std::int64_t least() const {
+    constexpr std::int64_t kMostRows = 256;  // of any compression
+    if (width_ < 1 || height_ < 1) return 0;
+    if (tile_width_ < 1 || tile_height_ < 1) return (height_ - 1) / kMostRows + 1;
+    return ((width_ - 1) / tile_width_ + 1) * ((height_ - 1) / tile_height_ + 1);
+  }
+
+ private:
+  static std::int64_t signed_word(Reader& reader) {
+    return static_cast<std::int32_t>(reader.word());
+  }
+
+  std::int64_t width_ = 0, height_ = 0, tile_width_ = 0, tile_height_ = 0;
+};
+
+// Reads the attributes of one part; false when there are none.
+bool check_part(Reader& reader, std::size_t file_bytes) {
+  ChunkCount chunks;
+  bool any = false;
+  for (std::string_view name = reader.name(); !name.empty(); name = reader.name()) {
+    any = true;
+    const std::string_view type = reader.name();
+    if (type == "idmanifest") throw InputError("attributes of type idmanifest cannot be read");
+    const std::string_view value = reader.take(reader.word());
+    check_value(type, value);
+    chunks.read(name, type, value);
+  }
+  if (static_cast<std::uint64_t>(chunks.least()) > file_bytes / sizeof(std::uint64_t))
+    throw InputError("is too short for its tiles or rows");
+  return any;
+}
+
 }  // namespace
 
-void check_exr_header_sizes(const std::string& bytes) {
+void check_exr_sizes(const std::string& bytes) {
   Reader reader(bytes);
   reader.take(kMagicAndVersion - sizeof(std::uint32_t));
   const bool several = (reader.word() & kMultiPartFlag) != 0;
-  bool any = true;
-  while (any) {  // an empty header ends those of a file of several parts
-    any = false;
-    while (!reader.name().empty()) {
-      any = several;
-      const std::string_view type = reader.name();
-      if (type == "idmanifest") throw InputError("attributes of type idmanifest cannot be read");
-      check_value(type, reader.take(reader.word()));
-    }
+  while (check_part(reader, bytes.size()) && several) {  // an empty header ends several parts
   }
 }
 
-}  // namespace raytracing
+}  // namespace raytracing::openimageio

@@ -1,6 +1,6 @@
 #pragma once
-// Reads pictures with OpenImageIO, which the program itself does not use. Only for the tests that
-// tests/CMakeLists.txt names.
+// Reads and writes files with OpenImageIO itself. Only for the tests that tests/CMakeLists.txt
+// names.
 
 #include <OpenImageIO/imageio.h>
 
@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "support/temp_dir.h"
 
 namespace raytracing {
 
@@ -42,6 +44,23 @@ inline ReadImage read_with_oiio(const std::string& path) {
   if (!input->read_image(0, 0, 0, -1, OIIO::TypeFloat, image.values.data()))
     throw std::runtime_error(input->geterror());
   return image;
+}
+
+/// Writes the values, converted to the type of `spec`; 1 becomes the largest integer. Returns the
+/// path.
+template <class Value>
+std::string write_oiio(const TempDir& folder, const std::string& name, const OIIO::ImageSpec& spec,
+                       const std::vector<Value>& values) {
+  const std::string path = folder / name;
+  const auto output = OIIO::ImageOutput::create(path);
+  if (!output || !output->open(path, spec)) throw std::runtime_error(OIIO::geterror());
+  const bool written = spec.tile_width == 0
+                           ? output->write_image(OIIO::BaseTypeFromC<Value>::value, values.data())
+                           : output->write_tiles(0, spec.width, 0, spec.height, 0, 1,
+                                                 OIIO::BaseTypeFromC<Value>::value, values.data());
+  if (!written) throw std::runtime_error(output->geterror());
+  output->close();
+  return path;
 }
 
 }  // namespace raytracing

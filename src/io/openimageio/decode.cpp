@@ -1,0 +1,289 @@
+#include "decode.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "colour.h"
+#include "description.h"
+#include "fences.h"
+#include "layers.h"
+#include "raytracing/io/errors.h"
+
+namespace raytracing::openimageio {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+/// A kind of file, by its first bytes.
+struct Format {
+  std::string_view magic;
+  const char* name;   ///< of OpenImageIO
+  const char* title;  ///< for messages
+
+  /// Whether a file can hold several images or mip levels.
+  bool holds_several() const { return name == "openexr"sv || name == "tiff"sv; }
+};
+
+constexpr Format kFormats[] = {{"\x76\x2f\x31\x01"sv, "openexr", "EXR"},
+                               {"\x89PNG\r\n\x1a\n"sv, "png", "PNG"},
+                               {"II*\0"sv, "tiff", "TIFF"},
+                               {"MM\0*"sv, "tiff", "TIFF"},
+                               {"II+\0"sv, "tiff", "TIFF"},
+                               {"MM\0+"sv, "tiff", "TIFF"},
+                               {"\xff\xd8\xff"sv, "jpeg", "JPEG"},
+                               {"#?RADIANCE"sv, "hdr", "HDR"},
+                               {"#?RGBE"sv, "hdr", "HDR"},
+                               {"P1"sv, "pnm", "PNM"},
+                               {"P2"sv, "pnm", "PNM"},
+                               {"P3"sv, "pnm", "PNM"},
+                               {"P4"sv, "pnm", "PNM"},
+                               {"P5"sv, "pnm", "PNM"},
+                               {"P6"sv, "pnm", "PNM"},
+                               {"PF"sv, "pnm", "PFM"},
+                               {"Pf"sv, "pnm", "PFM"}};
+
+const Format& format_of(const std::string& bytes) {
+  for (const Format& format : kFormats)
+    if (bytes.starts_with(format.magic)) return format;
+  throw InputError("not an image of a known format: EXR, PNG, TIFF, JPEG, HDR, PFM or PNM");
+}
+
+/// A file that the library has opened.
+struct OpenFile {
+  const Format& format;
+  OIIO::Filesystem::IOMemReader memory;
+  std::unique_ptr<OIIO::ImageInput> input;
+
+  explicit OpenFile(const std::string& bytes)
+      : format(format_of(bytes)),
+        memory(const_cast<char*>(bytes.data()), bytes.size()),
+        input(OIIO::ImageInput::create(format.name)) {
+    if (!input) throw InputError(fmt::format("this OpenImageIO reads no {} images", format.title));
+    OIIO::ImageSpec hints, spec;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    if (!input->open(std::string("image.") + format.name, spec, hints)) fail();
+  }
+
+  [[noreturn]] void fail() const {
+    std::string why = input->geterror();
+    if (why.empty()) why = OIIO::geterror();
+    throw InputError(fmt::format("damaged {} image: {}", format.title,
+                                 why.empty() ? "it cannot be read" : one_line(why)));
+  }
+};
+
+std::vector<Part> parts_of(const OpenFile& file) {
+  constexpr int kMostParts = 1000;
+  std::vector<Part> parts;
+  do {
+    const OIIO::ImageSpec& spec = file.input->spec();
+    parts.push_back({std::string(spec.get_string_attribute("oiio:subimagename")), spec.channelnames,
+                     spec.deep});
+    if (spec.deep) continue;
+    const auto count = static_cast<std::size_t>(std::max(spec.nchannels, 0));
+    if (parts.back().channels.size() != count) throw InputError("its channels have no names");
+  } while (file.format.holds_several() && parts.size() < kMostParts &&
+           file.input->seek_subimage(static_cast<int>(parts.size()), 0));
+  file.input->geterror();  // that of the seek behind the last part
+  return parts;
+}
+
+// Must pass before memory is taken that depends on the size that a file claims.
+void check_size(const OIIO::ImageSpec& spec, std::size_t channels) {
+  constexpr std::uint64_t kMaxSide = 65536, kMaxValues = std::uint64_t{1} << 28;
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1) throw InputError("has no pixels");
+  const auto width = static_cast<std::uint64_t>(spec.width);
+  const auto height = static_cast<std::uint64_t>(spec.height);
+  const auto tile =
+      static_cast<std::uint64_t>(spec.tile_width) * static_cast<std::uint64_t>(spec.tile_height);
+  if (width > kMaxSide || height > kMaxSide || width * height * channels > kMaxValues ||
+      tile * channels > kMaxValues)
+    throw InputError(fmt::format("{}x{} pixels of {} channels are more than can be read", width,
+                                 height, channels));
+}
+
+bool is_integer(OIIO::TypeDesc type) {
+  return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
+}
+
+/// Channels that follow each other in the file and, with the same distance, in the picture.
+struct Run {
+  int first, count;
+  std::size_t offset;  ///< of the first one, in a pixel of the picture
+};
+
+std::vector<Run> runs_of(const LayerChoice& choice, int alpha) {
+  std::vector<int> indices(choice.rgb.begin(), choice.rgb.end());
+  for (const LayerChoice::Channel& other : choice.others) indices.push_back(other.index);
+  if (alpha >= 0) indices.push_back(alpha);
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (!runs.empty() && indices[i] == runs.back().first + runs.back().count)
+      ++runs.back().count;
+    else
+      runs.push_back({indices[i], 1, i});
+  }
+  return runs;
+}
+
+/// Reads rows of chosen channels as floats. Whole numbers of EXR keep their value; those of other
+/// formats become codes in [0,1].
+class RowReader {
+ public:
+  RowReader(const OpenFile& file, const LayerChoice& choice, int alpha)
+      : file_(file),
+        spec_(file.input->spec()),
+        part_(static_cast<int>(choice.part)),
+        runs_(runs_of(choice, alpha)),
+        stride_(3 + choice.others.size() + (alpha >= 0 ? 1 : 0)) {}
+
+  std::size_t stride() const { return stride_; }
+
+  /// Appends rows, all of which the picture has, to `values`.
+  void append(int first, int count, std::vector<float>& values) const {
+    const std::size_t row = stride_ * static_cast<std::size_t>(spec_.width);
+    float* rows = values.data() + values.size();
+    values.resize(values.size() + row * static_cast<std::size_t>(count));
+    for (const Run& run : runs_) {
+      if (spec_.channelformat(run.first).basetype == OIIO::TypeDesc::UINT32)
+        read_whole_numbers(run, first, count, rows + run.offset);
+      else if (!read(run, first, count, OIIO::TypeFloat, rows + run.offset, sizeof(float)))
+        file_.fail();
+    }
+  }
+
+ private:
+  bool read(const Run& run, int first, int count, OIIO::TypeDesc type, void* to,
+            std::size_t bytes) const {
+    const auto x = static_cast<OIIO::stride_t>(stride_ * bytes);
+    const OIIO::stride_t y = x * spec_.width;
+    const int top = spec_.y + first;
+    if (spec_.tile_width > 0)
+      return file_.input->read_tiles(part_, 0, spec_.x, spec_.x + spec_.width, top, top + count,
+                                     spec_.z, spec_.z + 1, run.first, run.first + run.count, type,
+                                     to, x, y);
+    return file_.input->read_scanlines(part_, 0, top, top + count, spec_.z, run.first,
+                                       run.first + run.count, type, to, x, y);
+  }
+
+  // The library would divide them by the largest one when it converts them to floats.
+  void read_whole_numbers(const Run& run, int first, int count, float* to) const {
+    std::vector<std::uint32_t> numbers(stride_ * static_cast<std::size_t>(spec_.width) *
+                                       static_cast<std::size_t>(count));
+    if (!read(run, first, count, OIIO::TypeUInt, numbers.data(), sizeof(std::uint32_t)))
+      file_.fail();
+    for (std::size_t i = 0; i + static_cast<std::size_t>(run.count) <= numbers.size(); i += stride_)
+      for (std::size_t c = 0; c < static_cast<std::size_t>(run.count); ++c)
+        to[i + c] = static_cast<float>(numbers[i + c]);
+  }
+
+  const OpenFile& file_;
+  const OIIO::ImageSpec& spec_;
+  int part_;
+  std::vector<Run> runs_;
+  std::size_t stride_;
+};
+
+// Takes the alpha channel, the last one, out of the picture. Throws InputError where a pixel is
+// transparent.
+void drop_opaque_alpha(ImageData& image, std::size_t stride) {
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < image.values.size(); i += stride) {
+    if (image.values[i + stride - 1] != 1) throw InputError("has transparent pixels");
+    for (std::size_t c = 0; c + 1 < stride; ++c) image.values[to++] = image.values[i + c];
+  }
+  image.values.resize(to);
+}
+
+// Reads by strips, so that a short file that claims to be large touches no more memory than it
+// fills.
+void read_values(const OpenFile& file, const LayerChoice& choice, ImageData& image) {
+  constexpr std::size_t kStripValues = std::size_t{1} << 20;
+  const OIIO::ImageSpec spec = file.input->spec();
+  const int alpha = is_integer(spec.format) ? spec.alpha_channel : -1;
+  const RowReader reader(file, choice, alpha);
+  const std::size_t row = reader.stride() * static_cast<std::size_t>(spec.width);
+  const int unit = std::max(1, spec.tile_height);
+  const int strip = unit * std::max(1, static_cast<int>(kStripValues / row) / unit);
+  image.values.reserve(row * static_cast<std::size_t>(spec.height));
+  for (int y = 0; y < spec.height; y += strip)
+    reader.append(y, std::min(strip, spec.height - y), image.values);
+  if (alpha >= 0) drop_opaque_alpha(image, reader.stride());
+}
+
+void decode_colours(const OpenFile& file, double gamma, ImageData& image) {
+  const OIIO::ImageSpec& spec = file.input->spec();
+  const double largest = is_integer(spec.format) ? std::exp2(image.integer_bits) - 1 : 0;
+  const ColourDecoder colours(spec, largest, gamma);
+  const std::size_t stride = image.channels.size();
+  if (!image.values.empty())
+    colours.decode(image.values.data(), image.values.size() / stride, stride);
+  image.notes.insert(image.notes.end(), colours.notes().begin(), colours.notes().end());
+}
+
+void set_window(const OIIO::ImageSpec& spec, ImageData& image) {
+  constexpr std::int64_t kMost = 1 << 24;
+  for (const std::int64_t number :
+       {std::int64_t{spec.full_x} - spec.x, std::int64_t{spec.full_y} - spec.y,
+        std::int64_t{spec.full_width}, std::int64_t{spec.full_height}})
+    if (std::abs(number) > kMost) throw InputError("its display window is too large or too far");
+  image.width = spec.width;
+  image.height = spec.height;
+  const PixelWindow whole{spec.full_x - spec.x, spec.full_y - spec.y, spec.full_width,
+                          spec.full_height};
+  if (whole != PixelWindow{0, 0, spec.width, spec.height}) image.whole = whole;
+}
+
+// Tells what of a file is not used although it would change how the picture is shown.
+void add_notes(const OpenFile& file, int part, std::vector<std::string>& notes) {
+  const int orientation = file.input->spec().get_int_attribute("Orientation", 1);
+  if (orientation != 1)
+    notes.push_back(
+        fmt::format("its pixels were not turned, although its orientation is {}", orientation));
+  if (file.input->spec().tile_width == 0 || !file.format.holds_several()) return;
+  if (file.input->seek_subimage(part, 1)) notes.emplace_back("its largest mip level was read");
+  file.input->geterror();  // that of the seek behind the last level
+  if (!file.input->seek_subimage(part, 0)) file.fail();
+}
+
+}  // namespace
+
+ImageData decode(const std::string& bytes, const std::string& layer) {
+  const std::string_view format = format_of(bytes).name;
+  PngColours colours;
+  if (format == "openexr") check_exr_sizes(bytes);
+  if (format == "png") colours = check_png_chunks(bytes);
+  OpenFile file(bytes);
+  if (colours.has_profile && file.input->spec().find_attribute("ICCProfile") == nullptr)
+    throw InputError("its ICC profile is damaged");
+  const LayerChoice choice = choose_layer(parts_of(file), layer);
+  if (file.format.holds_several() && !file.input->seek_subimage(static_cast<int>(choice.part), 0))
+    file.fail();
+  const OIIO::ImageSpec& spec = file.input->spec();
+  check_size(spec, 3 + choice.others.size());
+  ImageData image;
+  image.notes = choice.notes;
+  add_notes(file, static_cast<int>(choice.part), image.notes);
+  set_window(spec, image);
+  image.channels = {"R", "G", "B"};
+  for (const LayerChoice::Channel& other : choice.others) image.channels.push_back(other.name);
+  image.metadata = metadata_of(spec);
+  if (is_integer(spec.format)) image.integer_bits = static_cast<int>(8 * spec.format.basesize());
+  read_values(file, choice, image);
+  decode_colours(file, colours.gamma, image);
+  return image;
+}
+
+}  // namespace raytracing::openimageio
