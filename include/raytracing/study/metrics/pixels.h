@@ -46,8 +46,8 @@ inline bool counts(const PixelMask& mask, std::size_t pixel) {
 PixelMask to_mask(const ImageData& mask);
 
 /// Reads the mask for those pixels of a picture of this size; the path "" gives the empty mask.
-/// Appends what reading changed or chose to `notes`, as messages of one line. Throws InputError, also for a mask without a
-/// white pixel.
+/// Appends what reading changed or chose to `notes`, as messages of one line. Throws InputError,
+/// also for a mask without a white pixel.
 PixelMask read_mask(const std::string& path, int width, int height, const PixelWindow& pixels,
                     std::vector<std::string>& notes);
 
