@@ -15,6 +15,7 @@
 #include "raytracing/io/image.h"
 #include "raytracing/render/provenance.h"
 #include "raytracing/study/metrics/error_metrics.h"
+#include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
 #include "raytracing/study/metrics/overlap.h"
 #include "raytracing/study/metrics/z_scores.h"

@@ -9,6 +9,7 @@
 #include "raytracing/io/image.h"
 #include "raytracing/io/srgb.h"
 #include "raytracing/study/metrics/error_metrics.h"
+#include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
 #include "support/compare_folder.h"
 

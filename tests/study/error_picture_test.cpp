@@ -1,3 +1,5 @@
+#include "raytracing/study/metrics/error_picture.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <string>
 
 #include "raytracing/io/errors.h"
+#include "raytracing/io/image_library.h"
 #include "raytracing/io/srgb.h"
 #include "raytracing/study/metrics/error_metrics.h"
 
@@ -28,19 +31,14 @@ Codes codes_at(const ImageData& image, int x, int y) {
           srgb8(image.values.at(at + 2))};
 }
 
-Codes codes_of(const Rgb& colour) {
-  return {static_cast<int>(std::lround(colour.x)), static_cast<int>(std::lround(colour.y)),
-          static_cast<int>(std::lround(colour.z))};
+Codes magma_codes(float value) {
+  const std::vector<float> colour = image_library().magma({value});
+  return {srgb8(colour[0]), srgb8(colour[1]), srgb8(colour[2])};
 }
 
 /// Differs from a reference of 0 by a pixel error of 10^decade.
 float with_error(double decade) {
   return static_cast<float>(std::sqrt(kRelMseEpsilon * std::pow(10, decade)));
-}
-
-// With a power in place of the sRGB curve, near enough to order colours.
-double luminance(const Rgb& c) {
-  return 0.2126 * std::pow(c.x, 2.2) + 0.7152 * std::pow(c.y, 2.2) + 0.0722 * std::pow(c.z, 2.2);
 }
 
 TEST(RelativeSquaredErrors, AddUpToRelMse) {
@@ -61,59 +59,67 @@ TEST(RelativeSquaredErrors, AreFiniteWhereThePicturesAre) {
   EXPECT_THROW(relative_squared_errors(row({1}), row({1, 2})), InputError);
 }
 
+// The ends and the middle are those of matplotlib's table: its rows 0, 127.5 and 255.
 TEST(Magma, GetsLighterAllTheWay) {
-  for (int i = 0; i < 1000; ++i)
-    ASSERT_GT(luminance(magma((i + 1) / 1000.0)), luminance(magma(i / 1000.0))) << i;
-  EXPECT_EQ(magma(-1), magma(0));
-  EXPECT_EQ(magma(2), magma(1));
-  EXPECT_EQ(codes_of(magma(0)), (Codes{0, 0, 4}));
-  EXPECT_EQ(codes_of(magma(1)), (Codes{252, 253, 191}));
+  std::vector<float> values(1001);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i) / 1000;
+  const std::vector<float> colours = image_library().magma(values);
+  ASSERT_EQ(colours.size(), 3 * values.size());
+  const auto luminance = [&](std::size_t i) {
+    return 0.2126f * colours[3 * i] + 0.7152f * colours[3 * i + 1] + 0.0722f * colours[3 * i + 2];
+  };
+  for (std::size_t i = 0; i < 1000; ++i) ASSERT_GT(luminance(i + 1), luminance(i)) << i;
+  EXPECT_EQ(magma_codes(0), (Codes{0, 0, 4}));
+  EXPECT_EQ(magma_codes(1), (Codes{252, 253, 191}));
+  const Codes middle = magma_codes(0.5f);
+  EXPECT_NEAR(middle[0], 183, 4);
+  EXPECT_NEAR(middle[1], 55, 4);
+  EXPECT_NEAR(middle[2], 121, 4);
 }
 
 TEST(ErrorPicture, ShowsTheLogarithm) {
   const ImageData test =
       row({0, with_error(-7), with_error(-5), with_error(-2), with_error(1), with_error(3)});
   const ImageData picture = error_picture(test, row({0, 0, 0, 0, 0, 0}));
-  const double expected[] = {0, 0, 0, 0.5, 1, 1};
-  for (int x = 0; x < 6; ++x) EXPECT_EQ(codes_at(picture, x, 0), codes_of(magma(expected[x]))) << x;
+  const float expected[] = {0, 0, 0, 0.5f, 1, 1};
+  for (int x = 0; x < 6; ++x) EXPECT_EQ(codes_at(picture, x, 0), magma_codes(expected[x])) << x;
 }
 
 TEST(ErrorPicture, MarksWhatHasNoError) {
   const ImageData test = row({1, kNan, kNan}), reference = row({1, 1, 1});
   const ImageData picture = error_picture(test, reference, {1, 1, 0});
-  EXPECT_EQ(codes_at(picture, 0, 0), codes_of(magma(0)));
+  EXPECT_EQ(codes_at(picture, 0, 0), magma_codes(0));
   EXPECT_EQ(codes_at(picture, 1, 0), (Codes{0, 255, 255}));
   EXPECT_EQ(codes_at(picture, 2, 0), (Codes{96, 96, 96}));
   EXPECT_THROW(error_picture(test, reference, {1}), InputError);
 }
 
-/// Where the picture's ink (white) is, one line of text a row.
-std::string drawing(const ImageData& image, int left, int top, int width, int height) {
-  std::string text;
-  for (int y = top; y < top + height; ++y) {
-    for (int x = left; x < left + width; ++x)
-      text += codes_at(image, x, y) == Codes{255, 255, 255} ? '#' : '.';
-    text += '\n';
-  }
-  return text;
+/// The columns of the picture in which rows of text are drawn, from the first to the last.
+std::array<int, 2> inked_columns(const ImageData& image, int left, int right, int top, int bottom) {
+  std::array<int, 2> columns{right, left};
+  for (int y = top; y < bottom; ++y)
+    for (int x = left; x < right; ++x)
+      if (codes_at(image, x, y)[0] > 128) {
+        columns[0] = std::min(columns[0], x);
+        columns[1] = std::max(columns[1], x);
+      }
+  return columns;
 }
 
-// The last label of the scale 1e-5 .. 1e1 of the narrowest picture, and the bar above it.
+// The bar, and the last label of the scale 1e-5 .. 1e1 of the narrowest picture below its end.
 TEST(ErrorPicture, HasALegend) {
   const ImageData picture = error_picture(row({1}), row({1}));
   EXPECT_EQ(picture.width, 160);
   const int bar = 1 + 3 + 5;
-  EXPECT_EQ(codes_at(picture, 16, bar), codes_of(magma(0)));
-  EXPECT_EQ(codes_at(picture, 143, bar), codes_of(magma(1)));
-  const int label = 1 + 3 + 10 + 6;
-  EXPECT_EQ(drawing(picture, 134, label, 18, 7),
-            "..#...........#...\n"
-            ".##..........##...\n"
-            "..#....###....#...\n"
-            "..#...#...#...#...\n"
-            "..#...#####...#...\n"
-            "..#...#.......#...\n"
-            ".###...###...###..\n");
+  EXPECT_EQ(codes_at(picture, 16, bar), magma_codes(0));
+  EXPECT_EQ(codes_at(picture, 143, bar), magma_codes(1));
+  const int label = 1 + 3 + 10 + 6, font = 11;
+  const auto [first, last] = inked_columns(picture, 120, 160, label, label + font);
+  EXPECT_NEAR((first + last) / 2.0, 143, 2);
+  EXPECT_NEAR(last - first, 20, 6);
+  const auto formula = inked_columns(picture, 0, 160, label + font + 3, picture.height);
+  EXPECT_NEAR((formula[0] + formula[1]) / 2.0, 80, 2);
+  EXPECT_GT(formula[1] - formula[0], 70);
 }
 
 TEST(ErrorPicture, HasTheErrorMapAbove) {

@@ -8,6 +8,13 @@
 
 namespace raytracing {
 
+/// White text in a picture.
+struct TextLabel {
+  std::string text;
+  int x, y;    ///< the pixel of its middle, and of its top
+  int height;  ///< of the font, in pixels
+};
+
 /// What the program asks of OpenImageIO. Loading that library takes 0.2 s on Debian 12, since it
 /// depends on 260 others, so a module of the program holds what needs it.
 struct ImageLibrary {
@@ -18,6 +25,10 @@ struct ImageLibrary {
   std::string (*encode)(const ImageData& image, const std::string& ending, bool floats);
   /// Returns the image in the bytes of a file; see read_image(). InputErrors do not name the file.
   ImageData (*decode)(const std::string& bytes, const std::string& layer);
+  /// Returns the colours of the map "magma" at values in [0,1]: linear R, G, B for each.
+  std::vector<float> (*magma)(const std::vector<float>& values);
+  /// Draws the labels on an image with the channels R, G, B. Throws OutputError without their font.
+  void (*draw_labels)(ImageData& image, const std::vector<TextLabel>& labels);
 };
 
 /// Returns the library, which the first call loads: the file lib/raytracing/openimageio.so below

@@ -11,6 +11,7 @@
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
 #include "raytracing/study/metrics/error_metrics.h"
+#include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/page/result_folder.h"
 
 namespace raytracing {
