@@ -2,7 +2,8 @@
 """Makes the seeds of the fuzzers, in this folder: python3 tests/fuzz/corpus/make.py
 
 What the fuzzers found and was mended lies beside them as found-*; this does not touch it.
-The EXR pictures come from the packages OpenEXR and numpy, the PNG pictures from zlib alone.
+The EXR and TIFF pictures come from the packages OpenEXR, tifffile and numpy, the PNG pictures from
+zlib alone.
 """
 import os
 import pathlib
@@ -82,6 +83,8 @@ PNG = {
     "palette": png(3, 2, b"\0\x10\0\x40", chunk(b"PLTE", bytes(range(6)))),
     "rgba": png(6, 8, b"\0" + b"\xff" * 8 + b"\2" + b"\0" * 8),
     "gamma": png(0, 8, bytes(6), chunk(b"gAMA", struct.pack(">I", 45455))),
+    "hdr10": png(2, 8, bytes(14), chunk(b"cICP", b"\x09\x10\0\1")),
+    "profile": png(2, 8, bytes(14), chunk(b"iCCP", b"a\0\0" + zlib.compress(bytes(132)))),
     "linear": png(0, 8, bytes(6), chunk(b"gAMA", struct.pack(">I", 100000))),
     "interlaced": png(0, 8, bytes(6), interlace=1),
     "text": png(0, 8, bytes(6), chunk(b"zTXt", b"a\0\0" + zlib.compress(b"x" * 99)) +
@@ -110,7 +113,37 @@ def write_exr(folder):
           compression=OpenEXR.ZIP_COMPRESSION, scene_hash="00ff", spp=64, seconds=0.25)
     write("tiled", rgb, compression=OpenEXR.ZIP_COMPRESSION, type=OpenEXR.tiledimage,
           tiles=OpenEXR.TileDescription())
+    write("grey", {"Y": values}, compression=OpenEXR.NO_COMPRESSION)
+    write("blender", {"a.Combined." + c: values for c in "RGB"} | {"a.Depth.Z": values},
+          compression=OpenEXR.ZIP_COMPRESSION)
+    write("xyz", rgb, compression=OpenEXR.ZIP_COMPRESSION,
+          chromaticities=(1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1 / 3, 1 / 3))
+    parts = [OpenEXR.Part({"type": OpenEXR.scanlineimage}, rgb, name) for name in ("left", "right")]
+    OpenEXR.File(parts).write(str(folder / "parts"))
     write("no-green", {"R": values, "B": values}, compression=OpenEXR.RLE_COMPRESSION)
+
+
+def write_tiff(folder):
+    import numpy
+    import tifffile
+    rgb = numpy.arange(72, dtype=numpy.uint8).reshape(4, 6, 3)
+
+    def write(name, values, **options):
+        options.setdefault("photometric", "rgb")
+        tifffile.imwrite(folder / name, values, software="", metadata=None, **options)
+
+    write("rgb8", rgb)
+    write("rgb16", rgb.astype(numpy.uint16) * 257, byteorder=">")
+    write("float", rgb.astype(numpy.float32) / 72, compression="zlib")
+    write("half", rgb.astype(numpy.float16) / 72)
+    write("planes", rgb.transpose(2, 0, 1), planarconfig="separate")
+    write("grey", rgb[..., 0], photometric="minisblack", rowsperstrip=1)
+    write("white", rgb[..., 0], photometric="miniswhite")
+    write("rgba", numpy.full((4, 6, 4), 255, numpy.uint8), extrasamples=["unassalpha"])
+    write("tiled", numpy.zeros((32, 32, 3), numpy.uint8), tile=(16, 16), compression="zlib")
+    write("big", rgb, bigtiff=True)
+    write("described", rgb, description="spp: 64\nscene_hash: 00ff")
+    tifffile.imwrite(folder / "pages", numpy.stack([rgb, rgb]), photometric="rgb", metadata=None)
 
 
 here = pathlib.Path(os.path.abspath(__file__)).parent
@@ -120,3 +153,5 @@ for folder, seeds in (("obj", OBJ), ("mtl", MTL), ("scene", SCENE), ("png", PNG)
         (here / folder / name).write_bytes(data)
 (here / "exr").mkdir(exist_ok=True)
 write_exr(here / "exr")
+(here / "tiff").mkdir(exist_ok=True)
+write_tiff(here / "tiff")
