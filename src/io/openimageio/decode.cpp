@@ -118,6 +118,13 @@ bool is_integer(OIIO::TypeDesc type) {
   return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
 }
 
+void check_type(const OpenFile& file, const OIIO::ImageSpec& spec) {
+  const auto type = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
+  const bool is_float = type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT;
+  if (!is_float && !is_integer(spec.format) && file.format.name != "openexr"sv)
+    throw InputError(fmt::format("values of type {} cannot be read", spec.format.c_str()));
+}
+
 /// Channels that follow each other in the file and, with the same distance, in the picture.
 struct Run {
   int first, count;
@@ -273,6 +280,7 @@ ImageData decode(const std::string& bytes, const std::string& layer) {
     file.fail();
   const OIIO::ImageSpec& spec = file.input->spec();
   check_size(spec, 3 + choice.others.size());
+  check_type(file, spec);
   ImageData image;
   image.notes = choice.notes;
   add_notes(file, static_cast<int>(choice.part), image.notes);
