@@ -218,6 +218,9 @@ TEST(ReadImage, RefusesAttributesThatShiftTheNext) {
   EXPECT_EQ(with_size("channels", "chlist", 1), wrong);
   EXPECT_EQ(with_size("spp", "int", 5), wrong);
   EXPECT_EQ(with_size("compression", "compression", 1), "read");
+  const std::size_t type = sizeof("channels") + sizeof("chlist") + 4 + sizeof("B");
+  EXPECT_EQ(refusal(folder.write("x", with_number(exr, "channels", type, 3, false))), wrong);
+  EXPECT_EQ(refusal(folder.write("x", with_number(exr, "channels", type, 2, false))), "read");
 }
 
 // These few bytes once allocated 16 MB and 700 MB.

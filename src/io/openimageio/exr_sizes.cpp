@@ -57,11 +57,18 @@ class Reader {
   std::string_view rest_;
 };
 
+// The library ends the program when it meets a type of values that it does not know.
+void check_channel(Reader& reader) {
+  constexpr std::uint32_t kTypes = 3;         // uint, half and float
+  constexpr std::size_t kBehindTheType = 12;  // bytes: linearity and sampling
+  if (reader.word() >= kTypes) fail();
+  reader.take(kBehindTheType);
+}
+
 void check_value(std::string_view type, std::string_view value) {
-  constexpr std::size_t kChannel = 16;  // bytes behind its name
   Reader reader(value);
   if (type == "chlist") {
-    while (!reader.name().empty()) reader.take(kChannel);
+    while (!reader.name().empty()) check_channel(reader);
     if (!reader.empty()) fail();
   } else if (type == "stringvector") {
     while (!reader.empty()) reader.take(reader.word());
