@@ -58,16 +58,31 @@ const Format& format_of(const std::string& bytes) {
   throw InputError("not an image of a known format: EXR, PNG, TIFF, JPEG, HDR, PFM or PNM");
 }
 
+/// A file in memory. The library's own class reads beyond the end when it is asked for bytes that
+/// begin behind it.
+class MemoryReader : public OIIO::Filesystem::IOMemReader {
+ public:
+  explicit MemoryReader(const std::string& bytes)
+      : IOMemReader(const_cast<char*>(bytes.data()), bytes.size()), bytes_(bytes.size()) {}
+
+  std::size_t pread(void* to, std::size_t count, std::int64_t offset) override {
+    if (offset < 0 || static_cast<std::uint64_t>(offset) >= bytes_) return 0;
+    return IOMemReader::pread(to, std::min(count, bytes_ - static_cast<std::size_t>(offset)),
+                              offset);
+  }
+
+ private:
+  std::size_t bytes_;
+};
+
 /// A file that the library has opened.
 struct OpenFile {
   const Format& format;
-  OIIO::Filesystem::IOMemReader memory;
+  MemoryReader memory;
   std::unique_ptr<OIIO::ImageInput> input;
 
   explicit OpenFile(const std::string& bytes)
-      : format(format_of(bytes)),
-        memory(const_cast<char*>(bytes.data()), bytes.size()),
-        input(OIIO::ImageInput::create(format.name)) {
+      : format(format_of(bytes)), memory(bytes), input(OIIO::ImageInput::create(format.name)) {
     if (!input) throw InputError(fmt::format("this OpenImageIO reads no {} images", format.title));
     OIIO::ImageSpec hints, spec;
     hints.attribute("oiio:UnassociatedAlpha", 1);
@@ -108,10 +123,14 @@ void check_size(const OIIO::ImageSpec& spec, std::size_t channels) {
   const auto height = static_cast<std::uint64_t>(spec.height);
   const auto tile =
       static_cast<std::uint64_t>(spec.tile_width) * static_cast<std::uint64_t>(spec.tile_height);
-  if (width > kMaxSide || height > kMaxSide || width * height * channels > kMaxValues ||
-      tile * channels > kMaxValues)
+  if (width > kMaxSide || height > kMaxSide || width * height * channels > kMaxValues)
     throw InputError(fmt::format("{}x{} pixels of {} channels are more than can be read", width,
                                  height, channels));
+  // A strip may be said to have more rows than the image; the library takes memory for all of them.
+  const std::uint64_t strip =
+      static_cast<std::uint64_t>(std::max(0, spec.get_int_attribute("tiff:RowsPerStrip"))) * width;
+  if (std::max(tile, strip) * channels > kMaxValues)
+    throw InputError("its tiles or strips are larger than can be read");
 }
 
 bool is_integer(OIIO::TypeDesc type) {
