@@ -63,16 +63,13 @@ const Format& format_of(const std::string& bytes) {
 class MemoryReader : public OIIO::Filesystem::IOMemReader {
  public:
   explicit MemoryReader(const std::string& bytes)
-      : IOMemReader(const_cast<char*>(bytes.data()), bytes.size()), bytes_(bytes.size()) {}
+      : IOMemReader(const_cast<char*>(bytes.data()), bytes.size()) {}
 
   std::size_t pread(void* to, std::size_t count, std::int64_t offset) override {
-    if (offset < 0 || static_cast<std::uint64_t>(offset) >= bytes_) return 0;
-    return IOMemReader::pread(to, std::min(count, bytes_ - static_cast<std::size_t>(offset)),
+    if (offset < 0 || static_cast<std::uint64_t>(offset) >= size()) return 0;
+    return IOMemReader::pread(to, std::min(count, size() - static_cast<std::size_t>(offset)),
                               offset);
   }
-
- private:
-  std::size_t bytes_;
 };
 
 /// A file that the library has opened.
