@@ -23,7 +23,7 @@ namespace {
 // them.
 class Outputs {
  public:
-  Outputs(const RenderArguments& a, const SceneFile& file) : variance_(a.variance) {
+  Outputs(const RenderArguments& a, const SceneFile& file) {
     std::vector<std::string> names = a.outputs;
     if (names.empty()) names.push_back(std::filesystem::path(a.scene).stem().string() + ".png");
     std::vector<std::string> inputs = file.assets, all = names;
@@ -33,15 +33,16 @@ class Outputs {
     for (const std::string& name : names) images_.emplace_back(name);
     if (!a.stats.empty()) stats_.emplace(a.stats);
     const auto is_exr = [](const std::string& name) { return image_ending(name) == "exr"; };
-    if (a.variance && std::none_of(names.begin(), names.end(), is_exr))
-      print_message("warning: --variance has no effect: no output is an .exr file\n");
+    if (!a.layers.empty() && std::none_of(names.begin(), names.end(), is_exr))
+      print_message("warning: {} has no effect: no output is an .exr file\n",
+                    a.variance && a.layers.size() == 1 ? "--variance" : "--layers");
   }
 
   /// Finds out during the rendering, not behind it, that no image could be written.
   void check() const { library_.check(); }
 
-  void write(const Film& film, const RunFacts& facts, bool quiet) {
-    const ImageData image = to_image(film, facts, variance_);
+  void write(const RenderResult& result, const RunFacts& facts, bool quiet) {
+    const ImageData image = to_image(result.film, facts, result.layers);
     for (OutputFile& file : images_) {
       file.write(encode_image(image, image_ending(file.path())));
       file.commit();
@@ -54,7 +55,6 @@ class Outputs {
 
  private:
   ImageLibraryPreload library_;
-  bool variance_;
   std::vector<OutputFile> images_;
   std::optional<OutputFile> stats_;
 };
@@ -86,9 +86,9 @@ std::string to_text(const V& v) {
 }
 
 // Describes the vertices of one sample and what each contributes. Positions are those of the scene
-// file, from which `origin` was subtracted.
+// file.
 std::string replay_text(const Scene& scene, const RenderOptions& options,
-                        const RenderArguments::Replay& replay, const Vec3& origin) {
+                        const RenderArguments::Replay& replay) {
   if (replay.x >= options.width || replay.y >= options.height || replay.sample >= options.spp)
     throw UsageError(fmt::format("--replay: {},{},{} lies outside {}x{} pixels and {} spp",
                                  replay.x, replay.y, replay.sample, options.width, options.height,
@@ -109,9 +109,9 @@ std::string replay_text(const Scene& scene, const RenderOptions& options,
     out += fmt::format(
         "vertex {} at {} normal {}\n  throughput {}\n  emitted {}{}\n  direct {}\n"
         "  continues with probability {:.9g}\n",
-        i + 1, to_text(DVec3(s.position) + DVec3(origin)), to_text(s.normal), to_text(s.throughput),
-        to_text(s.emitted), s.light == kNone ? "" : fmt::format(" (light {})", s.light),
-        to_text(s.direct), s.survival);
+        i + 1, to_text(DVec3(s.position) + DVec3(scene.origin())), to_text(s.normal),
+        to_text(s.throughput), to_text(s.emitted),
+        s.light == kNone ? "" : fmt::format(" (light {})", s.light), to_text(s.direct), s.survival);
   }
   if (!is_finite(radiance))
     out += fmt::format("not finite: {}\n", to_string(non_finite_cause(log)));
@@ -133,7 +133,7 @@ int render_command(const Arguments& arguments) {
   if (!a.replay) outputs.emplace(a, input.file());
   const Scene& scene = input.build(options.height, a.threads, needs_occluders(options));
   if (a.replay) {
-    fmt::print("{}", replay_text(scene, options, *a.replay, input.origin()));
+    fmt::print("{}", replay_text(scene, options, *a.replay));
     return kExitGood;
   }
   ProgressDisplay display(a.shown_progress());
@@ -155,7 +155,7 @@ int render_command(const Arguments& arguments) {
   facts.peak_rss_bytes = peak_rss_bytes();
   add_options(facts, options);
   add_result(facts, options, result);
-  outputs->write(result.film, facts, a.quiet);
+  outputs->write(result, facts, a.quiet);
   display.finish(result.complete);
   print_summary(options, result, a.quiet);
   // A signal that came after the last sample has not stopped anything.

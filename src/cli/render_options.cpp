@@ -1,7 +1,9 @@
 #include "render_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "build_info.h"
@@ -22,6 +24,18 @@ std::string methods_text() {
   for (const DirectMethod& m : direct_methods())
     text += fmt::format("{:<12} {}: {}; costs {}\n", m.name, m.unbiased ? "unbiased" : "BIASED",
                         m.summary, m.cost);
+  return text;
+}
+
+// The lines break where the options' descriptions do.
+std::string layers_text() {
+  constexpr std::size_t kWidth = 85, kIndent = 13;
+  std::string text;
+  for (const Layer& layer : layers()) {
+    const std::string channels = fmt::format("{}", fmt::join(layer.channels(), ", "));
+    text += fmt::format("{:<12} {}\n", layer.name,
+                        wrapped(fmt::format("{}: {}", channels, layer.meaning), kWidth, kIndent));
+  }
   return text;
 }
 
@@ -56,17 +70,24 @@ std::string check_power_of_two(const std::string& edge) {
   return std::has_single_bit(std::stoull(edge)) ? "" : "must be 1, 2, 4, 8 or 16, not " + edge;
 }
 
+void add_variance(std::vector<const Layer*>& layers) {
+  const Layer* variance = find_layer("variance");
+  if (std::find(layers.begin(), layers.end(), variance) == layers.end()) layers.push_back(variance);
+}
+
 void add_output_options(OptionList& options, RenderArguments& a) {
   options.values("-o,--output", a.outputs, "FILE",
                  "Image to write: .png (sRGB, 8 bits per channel) or .exr (linear, 32-bit float). "
                  "May be repeated. Default: the name of the scene with .png, in the working "
                  "directory.");
-  options.flag(
-      "--variance", a.variance,
-      "Add the channels variance.R, variance.G and variance.B to EXR images: the estimated "
-      "variance of each pixel mean. Without --replicates, the estimate treats the samples "
-      "of a pixel as independent, which is right with --sampler independent and too large "
-      "with sobol.");
+  options.list(
+      "--layers", a.layers, "A,B,...",
+      [](const std::string& name) {
+        return find_layer(checked("--layers", name, one_of(layer_names())));
+      },
+      "Layers to add to EXR images, beside R, G and B: any of " + alternatives(layer_names()) +
+          " (described below).");
+  options.flag("--variance", a.variance, "The same as --layers variance.");
   options.value("--stats", a.stats, "FILE", "Write statistics of the rendering as JSON.");
 }
 
@@ -133,11 +154,13 @@ RenderArguments parse_render_arguments(const Arguments& arguments) {
       return a.scene + ": no such subcommand or scene file" + subcommand_hint(a.scene);
     return argument + ": one argument too many; the scene file is " + a.scene;
   });
-  options.footer("\n" + subcommands_text() + "Methods for direct light:\n" + methods_text());
+  options.footer("\n" + subcommands_text() + "Methods for direct light:\n" + methods_text() +
+                 "\nLayers of EXR images:\n" + layers_text());
 
   options.parse(arguments.values);
   if (list_methods) throw TextRequest{methods_text()};
   if (version) throw TextRequest{version_text()};
+  if (a.variance) add_variance(a.layers);
   resolve_scene(a.scene, is_word(a.scene) ? subcommand_hint(a.scene) : "");
   for (const std::string& output : a.outputs) image_ending(output);
   return a;
@@ -162,6 +185,7 @@ RenderOptions render_options(const RenderArguments& a, const SceneFile& scene) {
   o.sampler = a.sampler;
   o.seed = a.seed;
   o.threads = a.threads;
+  o.layers = a.layers;
   return o;
 }
 

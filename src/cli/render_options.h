@@ -25,8 +25,9 @@ struct RenderArguments : SceneArguments {
   std::optional<std::string> light_sampling;  ///< the name of a direct-light method
   std::vector<std::string> outputs;
   std::uint64_t seed = 0;
-  bool variance = false;
-  std::string stats;  ///< "" = none
+  std::vector<const Layer*> layers;  ///< that EXR images get, each once
+  bool variance = false;             ///< whether --variance asked for that layer
+  std::string stats;                 ///< "" = none
   bool strict = false;
   std::optional<Replay> replay;
 };

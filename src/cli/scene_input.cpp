@@ -46,9 +46,8 @@ std::string to_text(const LoadReport::Entry& e) {
   return fmt::format("{} (the first of {})", what, e.count);
 }
 
-// Moves a scene that lies far from the origin of coordinates there, and returns what was subtracted
-// from all positions.
-Vec3 move_to_origin(SceneDescription& scene) {
+// Moves a scene that lies far from the origin of coordinates there.
+void move_to_origin(SceneDescription& scene) {
   // Relative to half the scene's size; rounding far above this is visible in the shapes.
   constexpr float kTolerableRounding = 1e-4f;
   const Recentering place = find_recentering(scene);
@@ -58,7 +57,6 @@ Vec3 move_to_origin(SceneDescription& scene) {
         "{:.1g} of half its size; move it closer to the origin\n",
         place.rounding);
   recenter(scene, place.origin);
-  return place.origin;
 }
 
 // Warns if pixels are so narrow that the rounding of ray directions is visible. This begins at
@@ -103,7 +101,7 @@ SceneInput::SceneInput(const std::string& path, bool quiet, bool strict)
 
 const Scene& SceneInput::build(int image_height, int threads, bool with_occluders) {
   const Clock::time_point start = Clock::now();
-  origin_ = move_to_origin(file_.scene);
+  move_to_origin(file_.scene);
   warn_of_narrow_pixels(file_.scene.camera, image_height);
   scene_.emplace(std::move(file_.scene), threads, with_occluders);
   build_seconds_ = seconds_since(start);

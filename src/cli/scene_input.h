@@ -30,12 +30,11 @@ class SceneInput {
   const SceneFile& file() const { return file_; }
   double load_seconds() const { return load_seconds_; }
 
-  /// Builds the scene for images of this height; call it once. `with_occluders` as for Scene.
+  /// Builds the scene for images of this height, moved to the origin of coordinates where it lies
+  /// far from there; call it once. `with_occluders` as for Scene.
   /// Throws InputError if `strict` and lights were repaired or dropped.
   const Scene& build(int image_height, int threads, bool with_occluders);
   double build_seconds() const { return build_seconds_; }
-  /// Returns what build() subtracted from all positions, so that the scene lies near the origin.
-  const Vec3& origin() const { return origin_; }
 
  private:
   void report_loading(const std::string& path, const LoadReport& report) const;
@@ -44,7 +43,6 @@ class SceneInput {
   bool quiet_, strict_;
   SceneFile file_;
   std::optional<Scene> scene_;
-  Vec3 origin_{0.0f};
   double load_seconds_ = 0, build_seconds_ = 0;
 };
 

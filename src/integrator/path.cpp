@@ -41,11 +41,13 @@ Rgb weighted_emission(const PathContext& in, const PathState& path, float bsdf_p
 
 }  // namespace
 
-void begin_at_camera(const PathContext& in, PathState& path, const Ray& ray, const Hit& hit) {
-  path.move_to(in.scene, ray, hit);
+void begin_at_camera(const PathContext& in, PathState& path, const PathSample& sample,
+                     const Hit& hit) {
+  path.move_to(in.scene, sample.ray, hit);
   const Vertex& v = path.vertex();
   if (v.light != kNone) path.radiance = in.scene.lights()[v.light].Le;
   path.log.steps.push_back({v.position, v.ng, Rgb(1.0f), path.radiance, Rgb(0.0f), v.light, 0});
+  if (sample.first_hit != nullptr) *sample.first_hit = describe_first_hit(in.scene, v, sample.ray);
 }
 
 Rgb direct_light(const PathContext& in, const Vertex& v, std::uint32_t depth, PathSampler& sampler,
@@ -116,14 +118,18 @@ float light_pdf_w(const PathContext& in, const PathState& path) {
          in.options.method->pdf_w(in.scene.lights()[v.light], path.previous(), v.position);
 }
 
-void trace_path(const PathContext& in, PathState& path) {
+bool trace_vertex(const PathContext& in, PathState& path) {
   const std::uint32_t max_depth = in.options.max_depth.value_or(kUnlimited);
-  while (path.depth < max_depth) {
-    add_direct_light(in, path);
-    // The last bounce is made for the emission that it may find.
-    const bool is_last = path.depth + 1 == max_depth;
-    if (is_last && !in.options.method->uses_mis(*path.vertex().material)) break;
-    if (!bounce(in, path)) break;
+  if (path.depth >= max_depth) return false;
+  add_direct_light(in, path);
+  // The last bounce is made for the emission that it may find.
+  const bool is_last = path.depth + 1 == max_depth;
+  if (is_last && !in.options.method->uses_mis(*path.vertex().material)) return false;
+  return bounce(in, path);
+}
+
+void trace_path(const PathContext& in, PathState& path) {
+  while (trace_vertex(in, path)) {
   }
 }
 

@@ -55,8 +55,9 @@ struct Scattered {
   float pdf_w;
 };
 
-/// The first vertex of the path, at the hit of the camera ray; adds its emission.
-void begin_at_camera(const PathContext& in, PathState& path, const Ray& ray, const Hit& hit);
+/// The first vertex of the sample's path, at the hit of the camera ray; adds its emission.
+void begin_at_camera(const PathContext& in, PathState& path, const PathSample& sample,
+                     const Hit& hit);
 
 /// The estimate of direct light at the vertex `v` of number `depth`. `samples`, where given, is
 /// cleared and receives the directions that the estimate sums.
@@ -80,6 +81,10 @@ bool bounce(const PathContext& in, PathState& path);
 /// The density per steradian, choice of the light included, with which light sampling at the
 /// previous vertex would have found the current one, which lies on a light.
 float light_pdf_w(const PathContext& in, const PathState& path);
+
+/// One vertex of the path and what follows it directly: the direct light there and the bounce.
+/// False where the path ends.
+bool trace_vertex(const PathContext& in, PathState& path);
 
 /// Follows the path from its current vertex to its end.
 void trace_path(const PathContext& in, PathState& path);

@@ -62,18 +62,18 @@ void SharedPathTracer::find_first_hits(const PathContext& in, std::span<const Pa
 void SharedPathTracer::start(const PathContext& in, PathSample& sample, std::size_t k,
                              PathLog& log) {
   log.steps.clear();
-  sample.radiance = Rgb(0.0f);
+  sample.radiance = sample.direct = Rgb(0.0f);
   second_[k].reset();
   if (!first_hits_[k]) return;
   PathState path(sample.sampler, log);
-  begin_at_camera(in, path, sample.ray, *first_hits_[k]);
+  begin_at_camera(in, path, sample, *first_hits_[k]);
   connections_.set_first(k, path.vertex());
   add_direct_light(in, path);
   if (bounce(in, path)) {
     second_[k] = path.vertex();
     if (is_black(log.steps.back().emitted)) log.steps.pop_back();
   }
-  sample.radiance = path.radiance;
+  sample.radiance = sample.direct = path.radiance;
 }
 
 // The light that leaves y. From a Lambertian y it is the same for all viewers.

@@ -18,10 +18,13 @@ class PlainPathTracer final : public PathTracer {
       PathSample& sample = samples[k];
       PathState path(sample.sampler, k == logged ? log : unwanted_log_);
       path.log.steps.clear();
-      if (const std::optional<Hit> hit = rays.closest_hit(sample.ray)) {
-        begin_at_camera(in, path, sample.ray, *hit);
-        trace_path(in, path);
-      }
+      sample.radiance = sample.direct = Rgb(0.0f);
+      const std::optional<Hit> hit = rays.closest_hit(sample.ray);
+      if (!hit) continue;
+      begin_at_camera(in, path, sample, *hit);
+      const bool goes_on = trace_vertex(in, path);
+      sample.direct = path.radiance;
+      if (goes_on) trace_path(in, path);
       sample.radiance = path.radiance;
     }
   }

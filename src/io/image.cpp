@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <set>
 #include <string_view>
 
@@ -36,27 +35,21 @@ constexpr std::array<std::string_view, 7> kKnownEndings{"png", "exr",  "tif", "t
 
 }  // namespace
 
-ImageData to_image(const Film& film, RunFacts facts, bool variance) {
+ImageData to_image(const Film& film, RunFacts facts, const LayerFilm& layers) {
   ImageData image;
   image.width = film.width();
   image.height = film.height();
   image.channels = {"R", "G", "B"};
-  if (variance)
-    image.channels.insert(image.channels.end(), {"variance.R", "variance.G", "variance.B"});
+  for (std::string& channel : layers.channels()) image.channels.push_back(std::move(channel));
   image.values.reserve(image.channels.size() * film.width() * film.height());
-  const auto append = [&image](const DVec3& v) {
-    for (const double c : {v.x, v.y, v.z}) image.values.push_back(static_cast<float>(c));
-  };
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) {
       const Film::Pixel& pixel = film.at(x, y);
-      append(pixel.mean());
-      // Of a single sample or replicate no finite value would be honest.
-      if (variance)
-        append(pixel.replicates < 2 ? DVec3(std::numeric_limits<double>::infinity())
-                                    : pixel.variance_of_mean());
+      const DVec3 mean = pixel.mean();
+      for (const double c : {mean.x, mean.y, mean.z}) image.values.push_back(static_cast<float>(c));
+      layers.append_values(x, y, pixel, image.values);
     }
-  if (!variance) {  // there are no layers that these facts could describe
+  if (!layers.has("variance")) {  // these facts would describe layers that are not there
     facts.variance_kind.reset();
     facts.pixel_correlation.reset();
   }

@@ -28,12 +28,14 @@ PixelGroups groups_of(const RenderOptions& options, std::uint64_t sample) {
                      s.replicate);
 }
 
-GroupTracer::GroupTracer(const Scene& scene, const Camera& camera, const RenderOptions& options)
+GroupTracer::GroupTracer(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                         bool keeps_first_hits)
     : camera_(camera),
       options_(options),
       sampler_(options.sampler, options.seed),
       rays_(scene),
-      tracer_(make_path_tracer(scene, options.path, shares_paths(options))) {}
+      tracer_(make_path_tracer(scene, options.path, shares_paths(options))),
+      first_hits_(keeps_first_hits ? PathTracer::kMaxSamples : 0) {}
 
 void GroupTracer::trace(const PixelGroups& groups, const PixelGroups::Place& place,
                         std::uint64_t sample, const PixelGroups::Pixel& logged) {
@@ -49,9 +51,17 @@ void GroupTracer::trace(const PixelGroups& groups, const PixelGroups::Place& pla
         camera_.ray(static_cast<float>(x) + jitter.x, static_cast<float>(y) + jitter.y);
   }
   if (samples_.empty()) return;
+  if (!first_hits_.empty()) keep_first_hits();
   const auto found = std::find(pixels_.begin(), pixels_.end(), logged);
   tracer_->trace(samples_, rays_, log_,
                  found == pixels_.end() ? 0 : static_cast<std::size_t>(found - pixels_.begin()));
+}
+
+void GroupTracer::keep_first_hits() {
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    first_hits_[k].reset();
+    samples_[k].first_hit = &first_hits_[k];
+  }
 }
 
 TracedSample trace_sample(const Scene& scene, const RenderOptions& options,

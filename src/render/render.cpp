@@ -74,7 +74,7 @@ class RenderJob {
   // Runs in each thread.
   void work() {
     const double start = thread_cpu_seconds();
-    Worker worker(scene_, camera_, options_);
+    Worker worker(scene_, camera_, options_, result_.layers.sums_samples());
     const std::uint64_t tiles = passes_done_.size();
     while (!stop_ && !failed_) {
       const std::uint64_t ticket = next_++;
@@ -91,8 +91,9 @@ class RenderJob {
  private:
   // What one thread has done.
   struct Worker {
-    Worker(const Scene& scene, const Camera& camera, const RenderOptions& options)
-        : tracer(scene, camera, options) {}
+    Worker(const Scene& scene, const Camera& camera, const RenderOptions& options,
+           bool keeps_first_hits)
+        : tracer(scene, camera, options, keeps_first_hits) {}
     GroupTracer tracer;
     std::vector<PixelGroups> groups;  // of the samples of a pass
     std::uint64_t paths = 0;
@@ -155,12 +156,15 @@ class RenderJob {
     worker.paths += pixels.size();
     std::optional<NonFiniteCause> cause;  // of the group's first non-finite sample
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-      Rgb radiance = worker.tracer.radiance(k);
-      if (!is_finite(radiance)) {
-        count_non_finite({pixels[k].x, pixels[k].y, sample}, cause, worker);
-        radiance = Rgb(0.0f);
-      }
-      result_.film.at(pixels[k].x, pixels[k].y).add(radiance, replicate_size_);
+      const auto [x, y] = pixels[k];
+      const bool finite = is_finite(worker.tracer.radiance(k));
+      if (!finite) count_non_finite({x, y, sample}, cause, worker);
+      const Rgb radiance = finite ? worker.tracer.radiance(k) : Rgb(0.0f);
+      Film::Pixel& pixel = result_.film.at(x, y);
+      pixel.add(radiance, replicate_size_);
+      if (!result_.layers.sums_samples()) continue;
+      const Rgb direct = finite ? worker.tracer.direct(k) : Rgb(0.0f);
+      result_.layers.add(x, y, pixel, {radiance, direct, worker.tracer.first_hit(k)});
     }
   }
 
@@ -219,6 +223,7 @@ RenderResult render(const Scene& scene, const RenderOptions& options, const std:
   if (!options.path.method) throw std::invalid_argument("render: no method of direct light");
   if (options.tile_size < 1) throw std::invalid_argument("render: the tile size must be positive");
   RenderResult result(Film(options.width, options.height));
+  result.layers = LayerFilm(options.layers, options.width, options.height);
   const auto start = std::chrono::steady_clock::now();
   RenderJob job(scene, options, stop, progress, result);
   result.threads = run_in_threads(options.threads, [&job] { job.work(); });

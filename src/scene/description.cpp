@@ -72,6 +72,7 @@ void recenter(SceneDescription& scene, const Vec3& origin) {
   for (SphereDescription& s : scene.spheres) s.center -= origin;
   scene.camera.origin -= origin;
   scene.camera.target -= origin;
+  scene.origin += origin;
 }
 
 }  // namespace raytracing

@@ -60,6 +60,7 @@ struct Scene::Builder {
   std::vector<SmoothNormals> smooth_normals;
   std::vector<AreaLight> lights;
   CameraDescription camera;
+  Vec3 origin;
   BuildNotes notes;
   std::vector<Vec3> positions;
   std::vector<EmbreeScene::Triangle> triangles;
@@ -76,7 +77,8 @@ struct Scene::Builder {
   std::vector<Vec3> face_positions_;  // scratch memory of add_face
 };
 
-Scene::Builder::Builder(SceneDescription description) : camera(description.camera) {
+Scene::Builder::Builder(SceneDescription description)
+    : camera(description.camera), origin(description.origin) {
   for (const Surface& surface : description.surfaces) materials.push_back(surface.material);
   for (const SphereDescription& sphere : description.spheres) {
     spheres.push_back({sphere.center, sphere.radius});
@@ -174,6 +176,7 @@ Scene::Scene(Builder&& b, int threads, bool with_occluders)
       smooth_normals_(std::move(b.smooth_normals)),
       lights_(std::move(b.lights)),
       camera_(b.camera),
+      origin_(b.origin),
       notes_(b.notes),
       geometry_(std::move(b.positions), std::move(b.triangles), std::move(b.spheres), threads) {
   std::vector<float> powers;

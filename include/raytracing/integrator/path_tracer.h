@@ -6,6 +6,7 @@
 #include <span>
 
 #include "raytracing/integrator/direct_method.h"
+#include "raytracing/integrator/first_hit.h"
 #include "raytracing/integrator/path_log.h"
 
 namespace raytracing {
@@ -22,6 +23,11 @@ struct PathSample {
   PathSampler sampler;
   Ray ray;             ///< of the camera
   Rgb radiance{0.0f};  ///< the result: the radiance that arrives along the ray, estimated
+  /// The part of the radiance without a surface between the first hit and the light: the emission
+  /// that the ray meets and the direct light there, that which the bounce finds included.
+  Rgb direct{0.0f};
+  /// Where given, an empty one that receives what the ray meets, if anything.
+  std::optional<FirstHit>* first_hit = nullptr;
 };
 
 /// Estimates the radiance of samples by tracing their paths. One per thread; it keeps its memory.
@@ -31,7 +37,7 @@ class PathTracer {
 
   virtual ~PathTracer() = default;
 
-  /// Sets the radiance of 1 to kMaxSamples samples. `log` receives what makes the radiance of
+  /// Sets the results of 1 to kMaxSamples samples. `log` receives what makes the radiance of
   /// samples[logged]. It is always written: a second body without it could round differently, and a
   /// replayed sample would not be that of the picture.
   virtual void trace(std::span<PathSample> samples, RayQueries& rays, PathLog& log,

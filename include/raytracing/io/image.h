@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raytracing/render/film.h"
+#include "raytracing/render/layer_film.h"
 #include "raytracing/render/provenance.h"
 
 namespace raytracing {
@@ -38,9 +39,8 @@ struct ImageData {
 /// Layers of channels that the program itself writes beside R, G, B and reads back.
 inline constexpr std::string_view kStatisticsLayers[] = {"variance", "halfA", "halfB"};
 
-/// The pixel means of a film, with the facts of its run as metadata. With `variance`, the channels
-/// variance.R/G/B hold the variances of the means, infinite where a single replicate gives none.
-ImageData to_image(const Film& film, RunFacts facts, bool variance = false);
+/// The pixel means of a film and the channels of its layers, with the facts of its run as metadata.
+ImageData to_image(const Film& film, RunFacts facts, const LayerFilm& layers = {});
 
 /// Returns the ending of an image's name, in lower case and without its dot. Throws UsageError for
 /// one that cannot be written, with the list of those that can; only for other endings than those

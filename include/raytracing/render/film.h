@@ -29,6 +29,8 @@ class Film {
     }
     /// Mean over the complete replicates; before the first one is complete, over what there is.
     DVec3 mean() const;
+    /// The number of samples that mean() is the mean of.
+    std::uint64_t samples_in_mean() const { return replicates > 0 ? counted : samples; }
     /// Variance of the mean from the spread of the replicates' means; 0 for fewer than two.
     DVec3 variance_of_mean() const;
 

@@ -9,6 +9,7 @@
 
 #include "raytracing/integrator/path_tracer.h"
 #include "raytracing/render/film.h"
+#include "raytracing/render/layer_film.h"
 #include "raytracing/scene/description.h"
 
 namespace raytracing {
@@ -27,6 +28,7 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   int threads = 1;
   int tile_size = 16;
+  std::vector<const Layer*> layers;  ///< that the result has beside the film, each once
 };
 
 /// Returns the edge of the groups of pixels that share paths: 1 also where there is nothing to
@@ -59,6 +61,7 @@ struct RenderResult {
   explicit RenderResult(Film empty) : film(std::move(empty)) {}
 
   Film film;
+  LayerFilm layers;
   RayCounts rays;
   std::uint64_t paths = 0;
   std::uint64_t non_finite_samples = 0;

@@ -55,6 +55,8 @@ struct SceneDescription {
   std::vector<PolygonMesh> meshes;  ///< in world space; Face::material indexes `surfaces`
   std::vector<SphereDescription> spheres;
   CameraDescription camera;
+  /// What recenter() has subtracted from all positions: a position plus this is that of the file.
+  Vec3 origin{0.0f};
 };
 
 /// The translation that moves a scene to the origin of coordinates. A scene needs it when it is
@@ -71,7 +73,8 @@ struct Recentering {
 /// Finds the recentering from the bounds of the meshes and spheres.
 Recentering find_recentering(const SceneDescription& scene);
 
-/// Subtracts `origin` from all positions, including those of the camera.
+/// Subtracts `origin` from all positions, including those of the camera, and adds it to the scene's
+/// own `origin`.
 void recenter(SceneDescription& scene, const Vec3& origin);
 
 }  // namespace raytracing

@@ -54,6 +54,8 @@ class Scene {
   const EmbreeScene& geometry() const { return geometry_; }
   const OccluderTree& occluders() const { return occluders_; }
   const CameraDescription& camera() const { return camera_; }
+  /// Returns what was subtracted from all positions: see SceneDescription::origin.
+  const Vec3& origin() const { return origin_; }
   std::span<const AreaLight> lights() const { return lights_; }
   /// Samples a light by its power or, with the probability kEvenLightShare, uniformly. There must
   /// be one.
@@ -92,6 +94,7 @@ class Scene {
   std::vector<AreaLight> lights_;
   DiscreteDistribution light_choice_;
   CameraDescription camera_;
+  Vec3 origin_;
   BuildNotes notes_;
   EmbreeScene geometry_;
   OccluderTree occluders_;
