@@ -20,6 +20,7 @@ const std::map<std::string, std::string> kContract{
     {"--output", "x.png"},
     {"--width", "3"},
     {"--height", "3"},
+    {"--layers", "depth,variance"},
     {"--variance", ""},
     {"--spp", "1"},
     {"--line-rays", "2"},
