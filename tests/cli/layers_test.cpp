@@ -9,9 +9,20 @@
 #include <set>
 
 #include "support/cli_folder.h"
+#include "support/oiio.h"
 
 namespace raytracing {
 namespace {
+
+LayeredPicture read_layers(const std::string& path) {
+  const ReadImage read = read_with_oiio(path);
+  ImageData image;
+  image.width = read.spec.width;
+  image.height = read.spec.height;
+  image.channels = read.spec.channelnames;
+  image.values = read.values;
+  return LayeredPicture(std::move(image));
+}
 
 /// The picture that these options write.
 LayeredPicture picture(const CliFolder& folder, std::vector<std::string> options) {
@@ -19,7 +30,7 @@ LayeredPicture picture(const CliFolder& folder, std::vector<std::string> options
   const RunResult run = folder.render(options);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  return LayeredPicture(read_image(folder.folder / "x.exr"));
+  return read_layers(folder.folder / "x.exr");
 }
 
 std::set<std::string> channels_with(const CliFolder& folder,
@@ -94,7 +105,7 @@ TEST(LayersOption, PositionsAreThoseOfTheSceneFile) {
     const RunResult run = folder.run({"s.toml", "--width=2", "--height=2", "--spp=16", "--quiet",
                                       "--layers", "position,depth", "-o", "s.exr"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
-    const LayeredPicture seen(read_image(folder.folder / "s.exr"));
+    const LayeredPicture seen = read_layers(folder.folder / "s.exr");
     for (int y = 0; y < 2; ++y)
       for (int x = 0; x < 2; ++x) {
         // The middle of the pixel, to the rounding of the file's floats. Half the field of view is
@@ -106,6 +117,19 @@ TEST(LayersOption, PositionsAreThoseOfTheSceneFile) {
         EXPECT_NEAR(seen.at(x, y, "depth.Z"), std::hypot(8, half, half), 0.2);
       }
   }
+}
+
+// Direct light takes the same random numbers whatever comes after it.
+TEST(LayersOption, CompareFindsThem) {
+  const CliFolder folder;
+  picture(folder, {"--layers", "direct,samples", "--reuse", "1", "-o", "deep.exr"});
+  picture(folder, {"--max-depth", "1", "-o", "flat.exr"});
+  const Names same{"compare", "deep.exr", "flat.exr", "--max-relmse", "0"};
+  EXPECT_EQ(folder.run(same).exit_code, 1);
+  Names direct = same;
+  direct.insert(direct.end(), {"--layer", "direct"});
+  const RunResult run = folder.run(direct);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
 }
 
 TEST(LayersOption, HelpDescribesEach) {
