@@ -113,7 +113,7 @@ std::vector<Part> parts_of(const OpenFile& file) {
 }
 
 // Must pass before memory is taken that depends on the size that a file claims.
-void check_size(const OIIO::ImageSpec& spec, std::size_t channels) {
+void check_size(const OIIO::ImageSpec& spec, std::size_t channels, std::size_t file_bytes) {
   constexpr std::uint64_t kMaxSide = 65536, kMaxValues = std::uint64_t{1} << 28;
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1) throw InputError("has no pixels");
   const auto width = static_cast<std::uint64_t>(spec.width);
@@ -123,6 +123,9 @@ void check_size(const OIIO::ImageSpec& spec, std::size_t channels) {
   if (width > kMaxSide || height > kMaxSide || width * height * channels > kMaxValues)
     throw InputError(fmt::format("{}x{} pixels of {} channels are more than can be read", width,
                                  height, channels));
+  constexpr std::uint64_t kMostValuesOfAByte = 1 << 16;  // no compression yields more
+  if (width * height * channels > kMostValuesOfAByte * file_bytes)
+    throw InputError("is too short for its size");
   // A strip may be said to have more rows than the image; the library takes memory for all of them.
   const std::uint64_t strip =
       static_cast<std::uint64_t>(std::max(0, spec.get_int_attribute("tiff:RowsPerStrip"))) * width;
@@ -295,7 +298,7 @@ ImageData decode(const std::string& bytes, const std::string& layer) {
   if (file.format.holds_several() && !file.input->seek_subimage(static_cast<int>(choice.part), 0))
     file.fail();
   const OIIO::ImageSpec& spec = file.input->spec();
-  check_size(spec, 3 + choice.others.size());
+  check_size(spec, 3 + choice.others.size(), bytes.size());
   check_type(file, spec);
   ImageData image;
   image.notes = choice.notes;

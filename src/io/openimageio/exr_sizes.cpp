@@ -95,6 +95,9 @@ class ChunkCount {
     } else if (name == "tiles" && type == "tiledesc") {
       tile_width_ = reader.word();
       tile_height_ = reader.word();
+      constexpr std::int64_t kMostPixels = 1 << 24;  // for which OpenEXR takes memory at once
+      if (tile_width_ * tile_height_ > kMostPixels)
+        throw InputError("its tiles are larger than can be read");
     }
   }
 
