@@ -9,6 +9,7 @@
 #include "build_info.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/io/film_image.h"
 #include "raytracing/io/image.h"
 #include "raytracing/io/image_library.h"
 #include "raytracing/render/provenance.h"

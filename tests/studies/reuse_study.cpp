@@ -5,6 +5,7 @@
 #include <atomic>
 #include <iterator>
 
+#include "raytracing/io/film_image.h"
 #include "raytracing/io/scene_file.h"
 #include "raytracing/render/render.h"
 #include "raytracing/study/metrics/flip.h"

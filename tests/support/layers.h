@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "raytracing/io/film_image.h"
 #include "raytracing/io/image.h"
 #include "support/films.h"
 

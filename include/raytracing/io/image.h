@@ -5,8 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "raytracing/render/film.h"
-#include "raytracing/render/layer_film.h"
 #include "raytracing/render/provenance.h"
 
 namespace raytracing {
@@ -38,9 +36,6 @@ struct ImageData {
 
 /// Layers of channels that the program itself writes beside R, G, B and reads back.
 inline constexpr std::string_view kStatisticsLayers[] = {"variance", "halfA", "halfB"};
-
-/// The pixel means of a film and the channels of its layers, with the facts of its run as metadata.
-ImageData to_image(const Film& film, RunFacts facts, const LayerFilm& layers = {});
 
 /// Returns the ending of an image's name, in lower case and without its dot. Throws UsageError for
 /// one that cannot be written, with the list of those that can; only for other endings than those

@@ -14,6 +14,7 @@
 
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
+#include "raytracing/io/film_image.h"
 
 namespace raytracing {
 namespace {
