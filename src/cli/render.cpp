@@ -24,7 +24,7 @@ namespace {
 // them.
 class Outputs {
  public:
-  Outputs(const RenderArguments& a, const SceneFile& file) {
+  Outputs(const RenderArguments& a, const SceneFile& file) : as_float_(a.as_float) {
     std::vector<std::string> names = a.outputs;
     if (names.empty()) names.push_back(std::filesystem::path(a.scene).stem().string() + ".png");
     std::vector<std::string> inputs = file.assets, all = names;
@@ -33,10 +33,16 @@ class Outputs {
     check_distinct(inputs, all);
     for (const std::string& name : names) images_.emplace_back(name);
     if (!a.stats.empty()) stats_.emplace(a.stats);
-    const auto is_exr = [](const std::string& name) { return image_ending(name) == "exr"; };
-    if (!a.layers.empty() && std::none_of(names.begin(), names.end(), is_exr))
+    const auto any = [&](const std::string& ending) {
+      return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        return image_ending(name).starts_with(ending);
+      });
+    };
+    if (!a.layers.empty() && !any("exr"))
       print_message("warning: {} has no effect: no output is an .exr file\n",
                     a.variance && a.layers.size() == 1 ? "--variance" : "--layers");
+    if (as_float_ && !any("tif"))
+      print_message("warning: --float has no effect: no output is a .tif file\n");
   }
 
   /// Finds out during the rendering, not behind it, that no image could be written.
@@ -45,7 +51,7 @@ class Outputs {
   void write(const RenderResult& result, const RunFacts& facts, bool quiet) {
     const ImageData image = to_image(result.film, facts, result.layers);
     for (OutputFile& file : images_) {
-      file.write(encode_image(image, image_ending(file.path())));
+      file.write(encode_image(image, image_ending(file.path()), as_float_));
       file.commit();
       if (!quiet) fmt::print("{}\n", file.path());
     }
@@ -56,6 +62,7 @@ class Outputs {
 
  private:
   ImageLibraryPreload library_;
+  bool as_float_;
   std::vector<OutputFile> images_;
   std::optional<OutputFile> stats_;
 };

@@ -76,10 +76,13 @@ void add_variance(std::vector<const Layer*>& layers) {
 }
 
 void add_output_options(OptionList& options, RenderArguments& a) {
-  options.values("-o,--output", a.outputs, "FILE",
-                 "Image to write: .png (sRGB, 8 bits per channel) or .exr (linear, 32-bit float). "
-                 "May be repeated. Default: the name of the scene with .png, in the working "
-                 "directory.");
+  options.values(
+      "-o,--output", a.outputs, "FILE",
+      "Image to write: .exr (linear, 32-bit float), .hdr (linear, shared exponent), .png, "
+      ".jpg or .tif (sRGB, 8 bits per channel), or another format that OpenImageIO writes "
+      "with 8 bits. May be repeated. Default: the name of the scene with .png, in the "
+      "working directory.");
+  options.flag("--float", a.as_float, "Write .tif images as linear 32-bit floats.");
   options.list(
       "--layers", a.layers, "A,B,...",
       [](const std::string& name) {

@@ -24,6 +24,7 @@ struct RenderArguments : SceneArguments {
   int reuse = 16;
   std::optional<std::string> light_sampling;  ///< the name of a direct-light method
   std::vector<std::string> outputs;
+  bool as_float = false;  ///< whether --float was given
   std::uint64_t seed = 0;
   std::vector<const Layer*> layers;  ///< that EXR images get, each once
   bool variance = false;             ///< whether --variance asked for that layer

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "support/cli_folder.h"
@@ -29,6 +30,38 @@ TEST(Outputs, AllAreWrittenAndNamedOnStdout) {
   EXPECT_EQ(folder.names(), (Names{"a.exr", "b.PNG", "old.png", "s.json"}));
   EXPECT_EQ(folder.bytes("b.PNG").substr(1, 3), "PNG");
   EXPECT_EQ(read_with_oiio(folder.folder / "old.png").spec.width, 12);
+}
+
+TEST(Outputs, AllFormatsShowTheSamePicture) {
+  const CliFolder folder;
+  ASSERT_EQ(folder
+                .render({"-o", "a.exr", "-o", "a.png", "-o", "a.tif", "-o", "a.hdr", "-o", "a.jpg",
+                         "-o", "a.ppm"})
+                .exit_code,
+            0);
+  ASSERT_EQ(folder.render({"--float", "-o", "f.tif", "-o", "f.png"}).exit_code, 0);
+  const ReadImage exr = read_with_oiio(folder.folder / "a.exr");
+  EXPECT_EQ(read_with_oiio(folder.folder / "f.tif").values, exr.values);
+  EXPECT_EQ(read_with_oiio(folder.folder / "f.tif").spec.format, OIIO::TypeFloat);
+  const ReadImage png = read_with_oiio(folder.folder / "a.png");
+  for (const char* name : {"a.tif", "a.ppm", "f.png"})
+    EXPECT_EQ(read_with_oiio(folder.folder / name).values, png.values) << name;
+  const ReadImage hdr = read_with_oiio(folder.folder / "a.hdr");
+  for (std::size_t i = 0; i < exr.values.size(); ++i)
+    EXPECT_NEAR(hdr.values[i], exr.values[i],
+                *std::max_element(exr.values.begin() + static_cast<std::ptrdiff_t>(i / 3 * 3),
+                                  exr.values.begin() + static_cast<std::ptrdiff_t>(i / 3 * 3 + 3)) /
+                    127);
+  EXPECT_NE(
+      read_with_oiio(folder.folder / "a.jpg").attribute("ImageDescription").find("scene_hash"),
+      std::string::npos);
+}
+
+TEST(Outputs, FloatWithoutATiffIsTold) {
+  const CliFolder folder;
+  EXPECT_NE(folder.render({"--float", "-o", "a.png"})
+                .err.find("warning: --float has no effect: no output is a .tif file\n"),
+            std::string::npos);
 }
 
 TEST(Outputs, StatisticsHaveAllKeysWithSaneValues) {

@@ -96,7 +96,7 @@ class ChunkCount {
       tile_width_ = reader.word();
       tile_height_ = reader.word();
       constexpr std::int64_t kMostPixels = 1 << 24;  // for which OpenEXR takes memory at once
-      if (tile_width_ * tile_height_ > kMostPixels)
+      if (tile_width_ > 0 && tile_height_ > kMostPixels / tile_width_)
         throw InputError("its tiles are larger than can be read");
     }
   }
