@@ -12,7 +12,8 @@ set -eu
 cd "$(dirname "$0")"
 
 program_packages="g++ cmake make libembree-dev libopenimageio-dev liblcms2-dev zlib1g-dev
-  libglm-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev gnuplot-nox"
+  libglm-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev gnuplot-nox
+  fonts-dejavu-core"
 test_packages="libgtest-dev libbenchmark-dev"
 package_packages="dpkg-dev file"
 # Without these the tests that need them are skipped.

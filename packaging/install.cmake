@@ -26,7 +26,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # dependencies as dpkg-shlibdeps finds them
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)  # draws the charts of `chart` and `stress`
+# Those draw the charts of `chart` and `stress`, and the numbers in pictures of errors.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, fonts-dejavu-core")
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/packaging/check.cmake)
 set(CPACK_RAYTRACING_NATIVE ${RAYTRACING_NATIVE})
 include(CPack)
