@@ -1,6 +1,5 @@
 #include "decode.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -8,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -17,87 +15,14 @@
 #include "description.h"
 #include "fences.h"
 #include "layers.h"
+#include "open_file.h"
 #include "raytracing/io/errors.h"
 
 namespace raytracing::openimageio {
 namespace {
 
-using std::string_view_literals::operator""sv;
-
-/// A kind of file, by its first bytes.
-struct Format {
-  std::string_view magic;
-  const char* name;   ///< of OpenImageIO
-  const char* title;  ///< for messages
-
-  /// Whether a file can hold several images or mip levels.
-  bool holds_several() const { return name == "openexr"sv || name == "tiff"sv; }
-};
-
-constexpr Format kFormats[] = {{"\x76\x2f\x31\x01"sv, "openexr", "EXR"},
-                               {"\x89PNG\r\n\x1a\n"sv, "png", "PNG"},
-                               {"II*\0"sv, "tiff", "TIFF"},
-                               {"MM\0*"sv, "tiff", "TIFF"},
-                               {"II+\0"sv, "tiff", "TIFF"},
-                               {"MM\0+"sv, "tiff", "TIFF"},
-                               {"\xff\xd8\xff"sv, "jpeg", "JPEG"},
-                               {"#?RADIANCE"sv, "hdr", "HDR"},
-                               {"#?RGBE"sv, "hdr", "HDR"},
-                               {"P1"sv, "pnm", "PNM"},
-                               {"P2"sv, "pnm", "PNM"},
-                               {"P3"sv, "pnm", "PNM"},
-                               {"P4"sv, "pnm", "PNM"},
-                               {"P5"sv, "pnm", "PNM"},
-                               {"P6"sv, "pnm", "PNM"},
-                               {"PF"sv, "pnm", "PFM"},
-                               {"Pf"sv, "pnm", "PFM"}};
-
-const Format& format_of(const std::string& bytes) {
-  for (const Format& format : kFormats)
-    if (bytes.starts_with(format.magic)) return format;
-  throw InputError("not an image of a known format: EXR, PNG, TIFF, JPEG, HDR, PFM or PNM");
-}
-
-/// A file in memory. The library's own class reads beyond the end when it is asked for bytes that
-/// begin behind it.
-class MemoryReader : public OIIO::Filesystem::IOMemReader {
- public:
-  explicit MemoryReader(const std::string& bytes)
-      : IOMemReader(const_cast<char*>(bytes.data()), bytes.size()) {}
-
-  std::size_t pread(void* to, std::size_t count, std::int64_t offset) override {
-    if (offset < 0 || static_cast<std::uint64_t>(offset) >= size()) return 0;
-    return IOMemReader::pread(to, std::min(count, size() - static_cast<std::size_t>(offset)),
-                              offset);
-  }
-};
-
-/// A file that the library has opened.
-struct OpenFile {
-  const Format& format;
-  MemoryReader memory;
-  std::unique_ptr<OIIO::ImageInput> input;
-
-  explicit OpenFile(const std::string& bytes)
-      : format(format_of(bytes)), memory(bytes), input(OIIO::ImageInput::create(format.name)) {
-    if (!input) throw InputError(fmt::format("this OpenImageIO reads no {} images", format.title));
-    OIIO::ImageSpec hints, spec;
-    hints.attribute("oiio:UnassociatedAlpha", 1);
-    OIIO::Filesystem::IOProxy* proxy = &memory;
-    hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    if (!input->open(std::string("image.") + format.name, spec, hints)) fail();
-  }
-
-  [[noreturn]] void fail() const {
-    std::string why = input->geterror();
-    if (why.empty()) why = OIIO::geterror();
-    throw InputError(fmt::format("damaged {} image: {}", format.title,
-                                 why.empty() ? "it cannot be read" : one_line(why)));
-  }
-};
-
 std::vector<Part> parts_of(const OpenFile& file) {
-  constexpr int kMostParts = 1000;
+  constexpr std::size_t kMostParts = 1000;
   std::vector<Part> parts;
   do {
     const OIIO::ImageSpec& spec = file.input->spec();
@@ -106,7 +31,9 @@ std::vector<Part> parts_of(const OpenFile& file) {
     if (spec.deep) continue;
     const auto count = static_cast<std::size_t>(std::max(spec.nchannels, 0));
     if (parts.back().channels.size() != count) throw InputError("its channels have no names");
-  } while (file.format.holds_several() && parts.size() < kMostParts &&
+    if (parts.size() > kMostParts)
+      throw InputError(fmt::format("has more than {} images", kMostParts));
+  } while (file.format.holds_several() &&
            file.input->seek_subimage(static_cast<int>(parts.size()), 0));
   file.input->geterror();  // that of the seek behind the last part
   return parts;
@@ -140,7 +67,7 @@ bool is_integer(OIIO::TypeDesc type) {
 void check_type(const OpenFile& file, const OIIO::ImageSpec& spec) {
   const auto type = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
   const bool is_float = type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT;
-  if (!is_float && !is_integer(spec.format) && file.format.name != "openexr"sv)
+  if (!is_float && !is_integer(spec.format) && file.format.name != "openexr")
     throw InputError(fmt::format("values of type {} cannot be read", spec.format.c_str()));
 }
 
