@@ -21,6 +21,7 @@ const std::map<std::string, std::string> kContract{
     {"--width", "3"},
     {"--height", "3"},
     {"--layers", "depth,variance"},
+    {"--float", ""},
     {"--variance", ""},
     {"--spp", "1"},
     {"--line-rays", "2"},
