@@ -53,10 +53,11 @@ void check_size(const OIIO::ImageSpec& spec, std::size_t channels, std::size_t f
   constexpr std::uint64_t kMostValuesOfAByte = 1 << 16;  // no compression yields more
   if (width * height * channels > kMostValuesOfAByte * file_bytes)
     throw InputError("is too short for its size");
-  // A strip may be said to have more rows than the image; the library takes memory for all of them.
+  // Tiles and strips may be said to be larger than the image; the library takes memory for them.
+  constexpr std::uint64_t kMostOfATile = 1 << 24;
   const std::uint64_t strip =
       static_cast<std::uint64_t>(std::max(0, spec.get_int_attribute("tiff:RowsPerStrip"))) * width;
-  if (std::max(tile, strip) * channels > kMaxValues)
+  if (std::max(tile, strip) * channels > std::max(kMostOfATile, width * height * channels))
     throw InputError("its tiles or strips are larger than can be read");
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -82,9 +84,9 @@ void check_value(std::string_view type, std::string_view value) {
   }
 }
 
-// The chunks of pixels that a header promises: OpenEXR allocates the table of their places before
-// it reads it.
-class ChunkCount {
+// The sizes that a header promises: OpenEXR takes memory for its tiles, for some rows at once and
+// for the table of its chunks of pixels before it reads them.
+class PromisedSizes {
  public:
   void read(std::string_view name, std::string_view type, std::string_view value) {
     Reader reader(value);
@@ -92,6 +94,12 @@ class ChunkCount {
       const std::int64_t left = signed_word(reader), top = signed_word(reader);
       width_ = signed_word(reader) - left + 1;
       height_ = signed_word(reader) - top + 1;
+      constexpr std::int64_t kMaxSide = 65536;
+      if (width_ > kMaxSide || height_ > kMaxSide)
+        throw InputError(fmt::format("{}x{} pixels are more than can be read", width_, height_));
+    } else if (name == "channels" && type == "chlist") {
+      channels_ = 0;
+      for (; !reader.name().empty(); ++channels_) check_channel(reader);
     } else if (name == "tiles" && type == "tiledesc") {
       tile_width_ = reader.word();
       tile_height_ = reader.word();
@@ -101,8 +109,16 @@ class ChunkCount {
     }
   }
 
-  /// At least this many for the largest level.
-  std::int64_t least() const {
+  /// Throws InputError for a row of more values than can be read.
+  void check_row() const {
+    constexpr std::int64_t kMostValues = 1 << 22;
+    if (width_ * channels_ > kMostValues)
+      throw InputError(fmt::format("rows of {} pixels with {} channels are more than can be read",
+                                   width_, channels_));
+  }
+
+  /// The number of chunks of the largest level, or less.
+  std::int64_t least_chunks() const {
     constexpr std::int64_t kMostRows = 256;  // of any compression
     if (width_ < 1 || height_ < 1) return 0;
     if (tile_width_ < 1 || tile_height_ < 1) return (height_ - 1) / kMostRows + 1;
@@ -114,12 +130,12 @@ class ChunkCount {
     return static_cast<std::int32_t>(reader.word());
   }
 
-  std::int64_t width_ = 0, height_ = 0, tile_width_ = 0, tile_height_ = 0;
+  std::int64_t width_ = 0, height_ = 0, channels_ = 0, tile_width_ = 0, tile_height_ = 0;
 };
 
 // Reads the attributes of one part; false when there are none.
 bool check_part(Reader& reader, std::size_t file_bytes) {
-  ChunkCount chunks;
+  PromisedSizes sizes;
   bool any = false;
   for (std::string_view name = reader.name(); !name.empty(); name = reader.name()) {
     any = true;
@@ -127,9 +143,10 @@ bool check_part(Reader& reader, std::size_t file_bytes) {
     if (type == "idmanifest") throw InputError("attributes of type idmanifest cannot be read");
     const std::string_view value = reader.take(reader.word());
     check_value(type, value);
-    chunks.read(name, type, value);
+    sizes.read(name, type, value);
   }
-  if (static_cast<std::uint64_t>(chunks.least()) > file_bytes / sizeof(std::uint64_t))
+  sizes.check_row();
+  if (static_cast<std::uint64_t>(sizes.least_chunks()) > file_bytes / sizeof(std::uint64_t))
     throw InputError("is too short for its tiles or rows");
   return any;
 }
