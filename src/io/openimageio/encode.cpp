@@ -93,6 +93,7 @@ OIIO::ImageSpec make_spec(const ImageData& image, const std::string& format, boo
   }
   spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
   if (is_exr(format) || format == "tiff") spec.attribute("compression", "zip");
+  if (format == "png") spec.attribute("png:compressionLevel", 3);  // noise shrinks no further
   if (format == "jpeg") spec.attribute("Compression", "jpeg:95");
   set_metadata(image.metadata, format, spec);
   return spec;
