@@ -61,7 +61,7 @@ void check_size(const OIIO::ImageSpec& spec, std::size_t channels, std::size_t f
     throw InputError("its tiles or strips are larger than can be read");
 }
 
-bool is_integer(OIIO::TypeDesc type) {
+bool is_integer(const OIIO::TypeDesc& type) {
   return type.basetype == OIIO::TypeDesc::UINT8 || type.basetype == OIIO::TypeDesc::UINT16;
 }
 
@@ -119,7 +119,7 @@ class RowReader {
   }
 
  private:
-  bool read(const Run& run, int first, int count, OIIO::TypeDesc type, void* to,
+  bool read(const Run& run, int first, int count, const OIIO::TypeDesc& type, void* to,
             std::size_t bytes) const {
     const auto x = static_cast<OIIO::stride_t>(stride_ * bytes);
     const OIIO::stride_t y = x * spec_.width;

@@ -54,7 +54,7 @@ std::optional<PixelWindow> common_window(const ImageData& a, const ImageData& b)
 }
 
 std::string pixels_text(const ImageData& image) {
-  const std::string size = fmt::format("{}x{} pixels", image.width, image.height);
+  std::string size = fmt::format("{}x{} pixels", image.width, image.height);
   if (!image.whole) return size;
   const PixelWindow window = window_of(image);
   return fmt::format("{} at {},{} of {}x{}", size, window.x, window.y, image.whole->width,
