@@ -124,6 +124,11 @@ TEST(Tiff, OfOtherNumbersIsRefused) {
             "values of type uint cannot be read");
 }
 
+TEST(Tiff, WhoseZeroIsWhiteIsRefused) {
+  EXPECT_EQ(refusal(RAYTRACING_SOURCE_DIR "/tests/fuzz/corpus/tiff/white"),
+            "TIFF images whose 0 is white cannot be read");
+}
+
 TEST(Orientation, IsToldWhereItIsNotApplied) {
   const TempDir folder;
   OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::UINT8);

@@ -70,6 +70,10 @@ void check_type(const OpenFile& file, const OIIO::ImageSpec& spec) {
   const bool is_float = type == OIIO::TypeDesc::HALF || type == OIIO::TypeDesc::FLOAT;
   if (!is_float && !is_integer(spec.format) && file.format.name != "openexr")
     throw InputError(fmt::format("values of type {} cannot be read", spec.format.c_str()));
+  // The library writes behind its memory when it inverts damaged files of this kind.
+  constexpr int kWhiteIsZero = 0;
+  if (spec.get_int_attribute("tiff:PhotometricInterpretation", -1) == kWhiteIsZero)
+    throw InputError("TIFF images whose 0 is white cannot be read");
 }
 
 /// Channels that follow each other in the file and, with the same distance, in the picture.
