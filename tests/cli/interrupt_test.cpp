@@ -18,23 +18,25 @@ RunResult interrupted(const CliFolder& folder, int signal, int count = 1) {
   options.signal_count = count;
   options.signal_when = "\"progress\":";
   return run_program({kCornell, "--width=64", "--height=64", "--spp=1000000", "--progress=jsonl",
-                      "-o", "x.exr", "-o", "x.png", "--stats", "x.json"},
+                      "-o", "x.exr", "-o", "x.png", "-o", "x.tif", "--stats", "x.json"},
                      options);
 }
 
 void expect_partial_picture(const CliFolder& folder, const RunResult& run) {
   EXPECT_FALSE(run.killed) << run.err;
   EXPECT_LT(run.seconds, 30);
-  EXPECT_EQ(run.out, "x.exr\nx.png\n");
+  EXPECT_EQ(run.out, "x.exr\nx.png\nx.tif\n");
   EXPECT_NE(run.err.find(" samples taken; the image is incomplete\n"), std::string::npos);
   EXPECT_EQ(run.err.find("\"progress\":1"), std::string::npos) << run.err;
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.exr", "x.json", "x.png"}));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.exr", "x.json", "x.png", "x.tif"}));
   const ReadImage image = read_with_oiio(folder.folder / "x.exr");
   EXPECT_EQ(image.attribute("complete"), "false");
   float brightest = 0;
   for (const float value : image.values) brightest = std::max(brightest, value);
   EXPECT_GT(brightest, 0);
   EXPECT_EQ(read_with_oiio(folder.folder / "x.png").attribute("complete"), "false");
+  const std::string facts = read_with_oiio(folder.folder / "x.tif").attribute("ImageDescription");
+  EXPECT_NE(facts.find("\ncomplete: false\n"), std::string::npos) << facts;
   const nlohmann::json stats = folder.json("x.json");
   EXPECT_EQ(stats["complete"], false);
   EXPECT_GT(stats["paths"], 0);
