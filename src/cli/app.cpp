@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -74,6 +75,7 @@ Invocation::Invocation(int argc, char** argv)
 }
 
 int run(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // so that a write beyond a limit fails and is reported
   try {
     if (!is_optimised())
       print_message(

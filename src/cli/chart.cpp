@@ -40,12 +40,12 @@ void add_measurement_options(OptionList& options, ChartRequest& request) {
       "--seeds", s.seeds, 1, kMaxSeeds,
       "Runs of each method at each sample count, each with a seed of its own; at least 2 "
       "are needed to estimate bias.");
-  options.value(
-      "--reference", request.reference, "FILE|auto",
-      "Reference image in EXR format. With auto, it is rendered with seeds of its own and "
-      "kept in DIR, in two halves from which its noise is estimated. The noise of other "
-      "files is known if they were rendered with --variance --reuse 1 and either "
-      "--sampler independent or --replicates. Default: auto.");
+  options.value("--reference", request.reference, "FILE|auto",
+                "Reference image of floats, EXR for example. With auto, it is rendered with seeds "
+                "of its own and "
+                "kept in DIR, in two halves from which its noise is estimated. The noise of other "
+                "files is known if they were rendered with --variance --reuse 1 and either "
+                "--sampler independent or --replicates. Default: auto.");
   options.real("--reference-time", request.reference_seconds, 0.001, 1e9,
                "Seconds to spend on rendering the reference.");
   add_mask_option(options, request.mask);

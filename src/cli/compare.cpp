@@ -236,7 +236,7 @@ void add_window_note(const ImageData& test, const ImageData& reference, const Pi
                   window.width, window.height, window.x, window.y));
 }
 
-// An optional output, created before the work is done.
+// An optional output, created before the images are compared.
 class Output {
  public:
   explicit Output(const std::string& path) {
@@ -274,6 +274,7 @@ int compare_command(const Arguments& arguments) {
   if (!window)
     throw InputError(fmt::format("{}: {}, but {} has {}", a.test, pixels_text(test), a.reference,
                                  pixels_text(reference)));
+  Output diff(a.diff), z_scores(a.z_scores), json(a.json);
   std::vector<std::string> notes = header_notes(test, a.test, reference, a.reference);
   add_window_note(test, reference, *window, notes);
   const PixelWindow whole = whole_of(test);
@@ -285,18 +286,22 @@ int compare_command(const Arguments& arguments) {
                               *window,
                               error_metrics(test, reference, mask),
                               masked_mean(flip_map(test, reference), mask),
-                              z_scores(test, reference, mask),
+                              raytracing::z_scores(test, reference, mask),
                               expected_scores(test, reference)};
   if (comparison.metrics.pixels == 0)
-    throw InputError("no pixel to compare: all are outside the mask or not finite");
-  std::string z_bytes;
-  if (!a.z_scores.empty()) z_bytes = encode_image(z_score_picture(test, reference), "exr");
-  Output diff(a.diff), z_scores(a.z_scores), json(a.json);
+    throw InputError(
+        fmt::format("{} and {}: no pixel to compare: all are outside the mask or not "
+                    "finite",
+                    a.test, a.reference));
+  ImageData z_picture;
+  if (z_scores) z_picture = z_score_picture(test, reference);
+  z_picture.whole = test.whole;
   for (const std::string& note : notes) print_message("{}\n", one_line(note));
   fmt::print("{}", comparison_text(comparison));
-  if (diff) diff.write(encode_image(error_picture(test, reference, mask), image_ending(a.diff)));
-  if (z_scores) z_scores.write(z_bytes);
+  // The picture of errors comes last, since not every format can hold it.
   if (json) json.write(comparison_json(comparison));
+  if (z_scores) z_scores.write(encode_image(z_picture, "exr"));
+  if (diff) diff.write(encode_image(error_picture(test, reference, mask), image_ending(a.diff)));
   return within_limit(comparison.metrics, a.max_relmse) ? kExitGood : kExitCheckFailed;
 }
 

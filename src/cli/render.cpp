@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -43,21 +44,33 @@ class Outputs {
                     a.variance && a.layers.size() == 1 ? "--variance" : "--layers");
     if (as_float_ && !any("tif"))
       print_message("warning: --float has no effect: no output is a .tif file\n");
+    for (const std::string& name : names)
+      if (!holds_metadata(image_ending(name)))
+        print_message("warning: {}: .{} files cannot carry the facts of the rendering\n", name,
+                      image_ending(name));
   }
 
   /// Finds out during the rendering, not behind it, that no image could be written.
   void check() const { library_.check(); }
 
+  /// Writes all that can be written. Throws the first error only then.
   void write(const RenderResult& result, const RunFacts& facts, bool quiet) {
     const ImageData image = to_image(result.film, facts, result.layers);
+    std::exception_ptr error;
     for (OutputFile& file : images_) {
-      file.write(encode_image(image, image_ending(file.path()), as_float_));
-      file.commit();
-      if (!quiet) fmt::print("{}\n", file.path());
+      try {
+        file.write(encode_image(image, image_ending(file.path()), as_float_));
+        file.commit();
+        if (!quiet) fmt::print("{}\n", file.path());
+      } catch (...) {
+        if (!error) error = std::current_exception();
+      }
     }
-    if (!stats_) return;
-    stats_->write(to_json(facts).dump(2) + "\n");
-    stats_->commit();
+    if (stats_) {
+      stats_->write(to_json(facts).dump(2) + "\n");
+      stats_->commit();
+    }
+    if (error) std::rethrow_exception(error);
   }
 
  private:

@@ -53,6 +53,11 @@ bool holds_floats(const std::string& ending, bool as_float) {
   return ending == "exr" || ending == "hdr" || (as_float && ending.starts_with("tif"));
 }
 
+bool holds_metadata(const std::string& ending) {
+  return ending != "hdr" &&
+         std::find(kKnownEndings.begin(), kKnownEndings.end(), ending) != kKnownEndings.end();
+}
+
 std::string encode_image(const ImageData& image, const std::string& ending, bool as_float) {
   check_layout(image);
   return image_library().encode(image, ending, holds_floats(ending, as_float));

@@ -46,7 +46,9 @@ const ImageLibrary& image_library() {
 
 ImageLibraryPreload::ImageLibraryPreload() {
   module_path();
-  loading_ = std::async(std::launch::async, [] { image_library(); }).share();
+  // Where no thread is left for it, the library is loaded by its first use.
+  loading_ =
+      std::async(std::launch::async | std::launch::deferred, [] { image_library(); }).share();
 }
 
 void ImageLibraryPreload::check() const {

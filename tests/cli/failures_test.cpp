@@ -207,12 +207,14 @@ TEST(BadOutput, AWriteThatFailsAtTheEndKeepsTheOldPicture) {
     options.folder = folder.folder.path();
     const RunResult run =
         run_any({"/bin/sh", "-c",
-                 "trap '' XFSZ; ulimit -f 8; exec " + std::string(RAYTRACING_PROGRAM) + " " +
-                     kCornell + " --quiet --width 200 --height 100 --spp 1 -o " + name},
+                 "ulimit -f 8; exec " + std::string(RAYTRACING_PROGRAM) + " " + kCornell +
+                     " --quiet --width 200 --height 100 --spp 1 -o " + name},
                 options);
     EXPECT_EQ(run.exit_code, 4);
     if (name != "x.tif") {
-      EXPECT_EQ(run.err, "Raytracing: " + name + ": cannot be written: File too large\n");
+      EXPECT_TRUE(
+          run.err.ends_with("Raytracing: " + name + ": cannot be written: File too large\n"))
+          << run.err;
     }
     EXPECT_EQ(folder.bytes(name), "old");
     EXPECT_EQ(folder.names(), Names{name});

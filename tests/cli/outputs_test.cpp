@@ -57,6 +57,24 @@ TEST(Outputs, AllFormatsShowTheSamePicture) {
       std::string::npos);
 }
 
+TEST(Outputs, OneThatCannotBeMadeDoesNotLoseTheOthers) {
+  const CliFolder folder;
+  const RunResult run = folder.render(
+      {"--width", "65536", "--height", "1", "-o", "a.jpg", "-o", "a.exr", "--stats", "a.json"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_NE(run.err.find("Raytracing: JPEG images have at most 65500 pixels a side\n"),
+            std::string::npos)
+      << run.err;
+  EXPECT_EQ(folder.names(), (Names{"a.exr", "a.json"}));
+}
+
+TEST(Outputs, FormatsWithoutFactsAreTold) {
+  const CliFolder folder;
+  EXPECT_NE(folder.render({"-o", "a.hdr"})
+                .err.find("warning: a.hdr: .hdr files cannot carry the facts of the rendering\n"),
+            std::string::npos);
+}
+
 TEST(Outputs, FloatWithoutATiffIsTold) {
   const CliFolder folder;
   EXPECT_NE(folder.render({"--float", "-o", "a.png"})

@@ -1,5 +1,5 @@
 // Fuzzes the TIFF reader. libtiff is the system's library, without instrumentation. Images are made
-// small, in files of little-endian numbers; tests/io/image_formats_test.cpp covers huge claims.
+// small, in files of little-endian numbers, since large ones are slow here.
 
 #include "fuzz_picture.h"
 

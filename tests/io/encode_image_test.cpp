@@ -231,7 +231,7 @@ TEST(Png, SaysThatItIsSrgbAndKeepsMetadata) {
   EXPECT_EQ(spec.get_string_attribute("Samples per pixel"), "9007199254740993");
   EXPECT_EQ(spec.get_string_attribute("Seconds"), "0.1");
   const std::string bytes = encode_image(image, "png");
-  for (const char* chunk : {"sRGB", "tEXtCommand", "tEXtScene"}) {
+  for (const char* chunk : {"sRGB", "tEXtCommand", "iTXtScene"}) {
     EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
   }
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <lcms2.h>
+#include <zlib.h>
 
 #include <array>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
 #include "raytracing/io/srgb.h"
 #include "refusal.h"
@@ -110,6 +112,64 @@ std::string with_chunk(const std::string& png, const std::string& chunk) {
   return png.substr(0, at) + chunk + png.substr(at);
 }
 
+std::string chunk(const std::string& name, const std::vector<std::uint32_t>& numbers) {
+  std::string body = name;
+  const auto append = [](std::string& bytes, std::uint32_t number) {
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(number >> shift & 0xff);
+  };
+  for (const std::uint32_t number : numbers) append(body, number);
+  std::string bytes;
+  append(bytes, static_cast<std::uint32_t>(4 * numbers.size()));
+  bytes += body;
+  append(bytes, static_cast<std::uint32_t>(
+                    crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size())));
+  return bytes;
+}
+
+// Display P3 with the gamma 2.2; the matrix is that of the test of profiles.
+TEST(Chrm, OfAPngIsConverted) {
+  const TempDir folder;
+  const OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::UINT8);
+  std::string png = read_file(write_oiio(folder, "x.png", spec, kCodes));
+  png = with_chunk(png, chunk("cHRM", {31270, 32900, 68000, 32000, 26500, 69000, 15000, 6000}));
+  const std::size_t srgb = png.find("sRGB");
+  if (srgb != std::string::npos) png.erase(srgb - 4, 13);
+  const ImageData image = read_image(folder.write("y.png", png));
+  EXPECT_EQ(image.notes,
+            (std::vector<std::string>{
+                "its colours were converted from its own chromaticities to Rec. 709"}));
+  const double g = srgb_to_linear(51 / 255.0);
+  EXPECT_NEAR(image.values[0], -0.2249 * g, 2e-3);
+  EXPECT_NEAR(image.values[1], 1.0421 * g, 2e-3);
+  EXPECT_NEAR(image.values[2], -0.0786 * g + 1.0979, 2e-3);
+}
+
+TEST(Hdr, FactorsOfItsHeaderAreRefusedAndPrimariesConverted) {
+  const TempDir folder;
+  const ImageData grey{8, 1, {"R", "G", "B"}, std::vector<float>(24, 0.5f), {}};
+  const std::string hdr = encode_image(grey, "hdr");
+  const auto with_line = [&](const std::string& line) {
+    std::string bytes = hdr;
+    return folder.write("x.hdr", bytes.insert(bytes.find("FORMAT="), line + "\n"));
+  };
+  EXPECT_EQ(refusal(with_line("EXPOSURE=1.0")), "read");
+  EXPECT_EQ(refusal(with_line("EXPOSURE=2.0")),
+            "its header states EXPOSURE=2.0, which is not applied");
+  EXPECT_EQ(refusal(with_line("COLORCORR=1 0.5 1")),
+            "its header states COLORCORR=1 0.5 1, which is not applied");
+  const ImageData p3 =
+      read_image(with_line("PRIMARIES=0.68 0.32 0.265 0.69 0.15 0.06 0.3127 0.329"));
+  EXPECT_EQ(p3.notes.size(), 1u);
+  for (const float value : p3.values) EXPECT_NEAR(value, 0.5, 0.01);  // grey stays grey
+}
+
+TEST(Pnm, OfOtherLargestValuesIsRefused) {
+  const TempDir folder;
+  EXPECT_EQ(refusal(folder.write("x.ppm", std::string("P6 # note\n1 1\n255\nabc"))), "read");
+  EXPECT_EQ(refusal(folder.write("x.ppm", std::string("P6 1 1 100\nabc"))),
+            "PNM images with the largest value 100 cannot be read, only 255");
+}
+
 TEST(Cicp, OfOtherSpacesIsRefused) {
   const TempDir folder;
   const std::string png = encode_image({1, 1, {"R", "G", "B"}, {0.1f, 0.2f, 0.3f}, {}}, "png");
@@ -134,6 +194,16 @@ TEST(Chromaticities, OfAnExrAreConverted) {
   EXPECT_EQ(image.notes,
             (std::vector<std::string>{
                 "its colours were converted from its own chromaticities to Rec. 709"}));
+
+  spec.nchannels = 6;
+  spec.channelnames = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
+  const ImageData mixed =
+      read_image(write_oiio(folder, "v.exr", spec, std::vector<float>(6, 0.1f)));
+  EXPECT_EQ(mixed.channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_EQ(mixed.notes.back(),
+            "its layers of variance and halves were left out, since its colours were converted");
+  spec.nchannels = 3;
+  spec.channelnames = {"R", "G", "B"};
 
   const std::array<float, 8> rec709{0.64f, 0.33f, 0.3f, 0.6f, 0.15f, 0.06f, 0.3127f, 0.329f};
   spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), rec709.data());

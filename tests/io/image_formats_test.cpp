@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,14 @@ TEST(Jpeg, IsCloseAndKeepsTheFacts) {
   }
 }
 
+// libjpeg would end the program for these.
+TEST(Jpeg, RefusesWhatItCannotHold) {
+  const ImageData wide{65501, 1, {"R", "G", "B"}, std::vector<float>(65501 * 3), {}};
+  EXPECT_THROW(encode_image(wide, "jpg"), OutputError);
+  const ImageData wordy{1, 1, {"R", "G", "B"}, {1, 1, 1}, {{"command", std::string(70000, 'x')}}};
+  EXPECT_THROW(encode_image(wordy, "jpg"), OutputError);
+}
+
 // The three mantissas of a pixel have 8 bits and the exponent of the largest channel.
 TEST(Hdr, IsExactToItsSharedExponent) {
   const ImageData image = picture(), back = round_trip(image, "hdr");
@@ -126,7 +135,7 @@ TEST(Tiff, OfOtherNumbersIsRefused) {
 
 TEST(Tiff, WhoseZeroIsWhiteIsRefused) {
   EXPECT_EQ(refusal(RAYTRACING_SOURCE_DIR "/tests/fuzz/corpus/tiff/white"),
-            "TIFF images whose 0 is white cannot be read");
+            "TIFF images of the photometric interpretation 0 cannot be read");
 }
 
 TEST(Orientation, IsToldWhereItIsNotApplied) {
@@ -153,13 +162,26 @@ TEST(AllFormats, SurviveDamage) {
   }
 }
 
-// Half of a file is not half of a picture.
-TEST(AllFormats, RefuseHalfAFile) {
+/// A picture whose files are long beside their headers.
+ImageData long_picture() {
+  ImageData image{64, 64, {"R", "G", "B"}, {}, {}};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (int i = 0; i < 64 * 64 * 3; ++i) image.values.push_back(uniform(random));
+  return image;
+}
+
+// A part of a file is not a part of a picture: nothing is filled in.
+TEST(AllFormats, RefuseAPartOfAFile) {
   const TempDir folder;
   for (const char* ending : {"exr", "png", "tif", "jpg", "hdr", "ppm"}) {
-    const std::string good = encode_image(picture(), ending);
-    EXPECT_NE(refusal(folder.write("x", std::string_view(good).substr(0, good.size() / 2))), "read")
-        << ending;
+    const std::string good = encode_image(long_picture(), ending, true);
+    for (const int percent : {50, 60, 75, 90, 97})
+      EXPECT_NE(
+          refusal(folder.write("x", std::string_view(good).substr(
+                                        0, good.size() * static_cast<std::size_t>(percent) / 100))),
+          "read")
+          << ending << " " << percent;
   }
   const std::string whole = pfm(picture());
   EXPECT_NE(refusal(folder.write("x", std::string_view(whole).substr(0, whole.size() / 2))),

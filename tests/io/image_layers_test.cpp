@@ -117,6 +117,24 @@ TEST(Layers, LuminanceAloneIsGrey) {
   EXPECT_EQ(image.notes, (Names{"it has one channel, which was read as red, green and blue"}));
 }
 
+TEST(Layers, AVectorIsReadWhereItIsNamed) {
+  const TempDir folder;
+  const std::string path =
+      write_parts(folder, {{"", {"R", "G", "B", "normal.X", "normal.Y", "normal.Z", "depth.Z"}}});
+  EXPECT_EQ(read_image(path).values, (Values{0, 1, 2}));
+  EXPECT_EQ(read_image(path, "normal").values, (Values{3, 4, 5}));
+  EXPECT_EQ(refusal(write_parts(folder, {{"", {"X", "Y", "Z"}}})),
+            "has no channels R, G and B; its channels are 'X', 'Y', 'Z'");
+}
+
+TEST(Layers, TransparencyOfAnExrIsTold) {
+  const TempDir folder;
+  const ImageData image = read_image(write_parts(folder, {{"", {"R", "G", "B", "A"}}}));
+  EXPECT_EQ(image.values, (Values{0, 1, 2}));
+  EXPECT_EQ(image.notes,
+            (Names{"it has transparent pixels, which were read as they are over black"}));
+}
+
 TEST(Layers, WithoutAPictureTheChannelsAreListed) {
   const TempDir folder;
   EXPECT_EQ(refusal(write_parts(folder, {{"", {"r", "g", "b"}}})),

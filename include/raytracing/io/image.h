@@ -45,6 +45,9 @@ std::string image_ending(const std::string& path);
 /// Whether files of this ending hold linear floats: always, or where it is asked for.
 bool holds_floats(const std::string& ending, bool as_float = false);
 
+/// Whether files of this ending carry the metadata of an image.
+bool holds_metadata(const std::string& ending);
+
 /// The bytes of an image file of this ending. EXR holds all channels as 32-bit floats, ZIP
 /// compressed; HDR holds R, G, B with a shared exponent; TIFF holds them as 32-bit floats with
 /// `as_float`; all else holds R, G, B with 8 bits and sRGB encoding. The metadata are attributes of
@@ -60,8 +63,8 @@ std::string encode_image(const ImageData& image, const std::string& ending, bool
 /// - Integers are decoded to linear by their ICC profile, their gamma or IEC 61966-2-1, floats are
 ///   linear. Chromaticities other than those of Rec. 709 are converted, without adaptation of the
 ///   white point.
-/// - Deep and subsampled images are refused, and so is transparency of integer images, since the
-///   background is not known.
+/// - Deep and subsampled images are refused, and so is transparency, since the background is not
+///   known; the colours of EXR are those over black.
 /// At most 65536 pixels a side and 2^28 values. Throws InputError, "file: reason".
 ImageData read_image(const std::string& path, const std::string& layer = "");
 

@@ -45,13 +45,20 @@ bool is_finite(const glm::dmat3& m) {
   return true;
 }
 
-// The conversion that the attribute `chromaticities` asks for; empty without one.
-std::optional<glm::dmat3> conversion(const OIIO::ImageSpec& spec) {
+// The chromaticities of an EXR file; empty without them.
+std::optional<std::array<float, 8>> chromaticities_of(const OIIO::ImageSpec& spec) {
   const OIIO::ParamValue* found =
       spec.find_attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8));
   if (found == nullptr) return {};
+  std::array<float, 8> numbers{};
+  for (int i = 0; i < 8; ++i) numbers[static_cast<std::size_t>(i)] = found->get_float_indexed(i);
+  return numbers;
+}
+
+// The conversion from these chromaticities; empty where they are those of Rec. 709.
+std::optional<glm::dmat3> conversion(const std::array<float, 8>& numbers) {
   std::array<glm::dvec2, 4> xy{};
-  for (int i = 0; i < 8; ++i) xy[i / 2][i % 2] = double{found->get_float_indexed(i)};
+  for (std::size_t i = 0; i < 4; ++i) xy[i] = {double{numbers[2 * i]}, double{numbers[2 * i + 1]}};
   const Chromaticities here = rec709();
   const Chromaticities there{{xy[0], xy[1], xy[2]}, xy[3]};
   constexpr double kRounding = 1e-3;  // headers state three or four digits
@@ -127,8 +134,12 @@ class ColourDecoder::Profile {
   cmsHTRANSFORM transform_ = nullptr;
 };
 
-ColourDecoder::ColourDecoder(const OIIO::ImageSpec& spec, double largest_code, double gamma)
-    : largest_code_(largest_code), gamma_(gamma), to_rec709_(conversion(spec)) {
+ColourDecoder::ColourDecoder(const OIIO::ImageSpec& spec, double largest_code,
+                             const StatedColours& stated)
+    : largest_code_(largest_code), gamma_(stated.gamma) {
+  const auto chromaticities =
+      stated.chromaticities ? stated.chromaticities : chromaticities_of(spec);
+  if (chromaticities) to_rec709_ = conversion(*chromaticities);
   const OIIO::ParamValue* icc = spec.find_attribute("ICCProfile");
   if (icc != nullptr) {
     auto profile =
@@ -140,8 +151,8 @@ ColourDecoder::ColourDecoder(const OIIO::ImageSpec& spec, double largest_code, d
       profile_ = std::move(profile);
     }
     to_rec709_.reset();  // a profile overrides gamma and chromaticities (PNG 3rd edition, 4.3)
-  } else if (largest_code > 0 && gamma > 0) {
-    notes_.push_back(fmt::format("its colours were decoded by the gamma {:.5g}", gamma));
+  } else if (largest_code > 0 && gamma_ > 0) {
+    notes_.push_back(fmt::format("its colours were decoded by the gamma {:.5g}", gamma_));
   }
   if (to_rec709_)
     notes_.emplace_back("its colours were converted from its own chromaticities to Rec. 709");

@@ -10,21 +10,25 @@
 #include <string>
 #include <vector>
 
+#include "fences.h"
+
 namespace raytracing::openimageio {
 
 /// Decodes red, green and blue as the file's colour profile, gamma and chromaticities say; without
 /// them, integers are sRGB and floats are linear values of Rec. 709.
 class ColourDecoder {
  public:
-  /// Judges a file by its header. `largest_code` is that of its integers, 0 for floats; `gamma` the
-  /// exponent that decodes them, 0 for the curve of sRGB. Throws InputError for what cannot be
-  /// converted.
-  ColourDecoder(const OIIO::ImageSpec& spec, double largest_code, double gamma);
+  /// Judges a file by its header and what it states otherwise. `largest_code` is that of its
+  /// integers, 0 for floats. Throws InputError for what cannot be converted.
+  ColourDecoder(const OIIO::ImageSpec& spec, double largest_code, const StatedColours& stated);
   ~ColourDecoder();
 
   /// Decodes `pixels` pixels in place. Each has `stride` values, the first three of which are red,
   /// green and blue; integers lie in [0,1].
   void decode(float* values, std::size_t pixels, std::size_t stride) const;
+
+  /// Whether a decoded channel depends on others.
+  bool mixes_channels() const { return profile_ || to_rec709_; }
 
   const std::vector<std::string>& notes() const { return notes_; }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "fences.h"
 #include "raytracing/io/errors.h"
 
 namespace raytracing::openimageio {
@@ -60,6 +61,11 @@ void check_png_key(const std::string& key) {
     throw OutputError("PNG: the name '" + key + "' is longer than a keyword may be");
 }
 
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
 // One line for each entry, for formats that have a single text.
 std::string description(const ImageMetadata& metadata) {
   std::string text;
@@ -87,11 +93,19 @@ void set_metadata(const ImageMetadata& metadata, const std::string& format, OIIO
   } else if (format == "png") {
     for (const auto& [name, value] : metadata) {
       check_png_key(name);
-      spec.attribute(name, to_text(value));
+      const std::string text = to_text(value);
+      if (is_ascii(text)) spec.attribute(name, text);
     }
-  } else if (!metadata.empty()) {
+  } else if ((format == "tiff" || format == "jpeg") && !metadata.empty()) {
     spec.attribute("ImageDescription", description(metadata));
   }
+}
+
+std::string with_other_texts(const ImageMetadata& metadata, std::string png) {
+  for (const auto& [name, value] : metadata)
+    if (const std::string text = to_text(value); !is_ascii(text))
+      png = with_international_text(std::move(png), name, text);
+  return png;
 }
 
 ImageMetadata metadata_of(const OIIO::ImageSpec& spec) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "description.h"
 #include "raytracing/io/errors.h"
@@ -21,8 +22,8 @@ namespace {
 
 // Not all that the library may write: its other formats are palettes, icons, textures or terminals,
 // or do not write three channels of 8 bits to a file in memory.
-constexpr const char* kEndings[] = {"exr", "hdr", "tif", "tiff", "png", "jpg", "jpeg",
-                                    "bmp", "dpx", "ppm", "sgi",  "tga", "webp"};
+constexpr const char* kEndings[] = {"exr",  "hdr", "tif", "tiff", "png", "jpg",
+                                    "jpeg", "bmp", "dpx", "ppm",  "sgi", "tga"};
 
 /// A file in memory, for formats that do not write through the library's own interface for that.
 /// TIFF claims to, but OpenImageIO 2.4 then leaves out a part of its directory.
@@ -53,6 +54,16 @@ class MemoryFile {
  private:
   int descriptor_;
 };
+
+// libjpeg would end the program.
+void check_jpeg(const ImageData& image, const OIIO::ImageSpec& spec) {
+  constexpr int kMostPixels = 65500;
+  constexpr std::size_t kLongestText = 65000;  // of a segment of 2^16 bytes
+  if (image.width > kMostPixels || image.height > kMostPixels)
+    throw OutputError(fmt::format("JPEG images have at most {} pixels a side", kMostPixels));
+  if (spec.get_string_attribute("ImageDescription").size() > kLongestText)
+    throw OutputError("the facts of the run, with its command line, are too long for JPEG");
+}
 
 bool is_exr(const std::string& format) { return format == "openexr"; }
 
@@ -120,6 +131,7 @@ std::string encode(const ImageData& image, const std::string& ending, bool float
   check(output != nullptr);
   const std::string format = output->format_name();
   const OIIO::ImageSpec spec = make_spec(image, format, floats);
+  if (format == "jpeg") check_jpeg(image, spec);
   std::vector<float> values;
   std::vector<std::uint8_t> codes;
   if (floats && !is_exr(format))
@@ -139,7 +151,7 @@ std::string encode(const ImageData& image, const std::string& ending, bool float
   std::string bytes =
       file ? file->bytes() : std::string(memory.buffer().begin(), memory.buffer().end());
   check(!bytes.empty());
-  return bytes;
+  return format == "png" ? with_other_texts(image.metadata, std::move(bytes)) : bytes;
 }
 
 }  // namespace raytracing::openimageio

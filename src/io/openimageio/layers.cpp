@@ -14,16 +14,26 @@ namespace {
 
 constexpr int kMissing = -1;
 
+bool is_whole(const std::array<int, 3>& indices) {
+  return std::find(indices.begin(), indices.end(), kMissing) == indices.end();
+}
+
 /// Channels of one part that share what stands before the last dot of their names.
 struct Layer {
   std::size_t part;
   std::string part_name, prefix;
   std::array<int, 3> rgb{kMissing, kMissing, kMissing};
-  int luminance = kMissing;
+  std::array<int, 3> xyz{kMissing, kMissing, kMissing};
+  int alpha = kMissing;
   bool has_chroma = false;
 
-  bool is_colour() const { return std::find(rgb.begin(), rgb.end(), kMissing) == rgb.end(); }
-  bool is_grey() const { return !is_colour() && luminance != kMissing && !has_chroma; }
+  bool is_colour() const { return is_whole(rgb); }
+  /// A channel Y alone is luminance; with X and Z it is a part of a vector.
+  bool is_grey() const {
+    return !is_colour() && xyz[0] == kMissing && xyz[1] != kMissing && xyz[2] == kMissing &&
+           !has_chroma;
+  }
+  bool is_vector() const { return !is_colour() && is_whole(xyz); }
   std::string name() const {
     return part_name.empty() || prefix.empty() ? part_name + prefix : part_name + "." + prefix;
   }
@@ -37,15 +47,19 @@ std::string_view before_last_dot(std::string_view name) {
 std::string_view after_last_dot(std::string_view name) { return name.substr(name.rfind('.') + 1); }
 
 void add_channel(Layer& layer, std::string_view component, int index) {
-  constexpr std::string_view kColours = "RGB";
-  if (component.size() == 1 && kColours.find(component) != std::string_view::npos)
-    layer.rgb[kColours.find(component)] = index;
-  if (component == "Y") layer.luminance = index;
+  const auto set = [&](std::string_view letters, std::array<int, 3>& indices) {
+    const std::size_t place =
+        component.size() == 1 ? letters.find(component) : std::string_view::npos;
+    if (place != std::string_view::npos) indices[place] = index;
+  };
+  set("RGB", layer.rgb);
+  set("XYZ", layer.xyz);
+  if (component == "A") layer.alpha = index;
   if (component == "RY" || component == "BY") layer.has_chroma = true;
 }
 
-// The layers that can be read as a picture, in the order of the file.
-std::vector<Layer> pictures(const std::vector<Part>& parts) {
+// The layers that can be read, in the order of the file.
+std::vector<Layer> readable_layers(const std::vector<Part>& parts) {
   std::vector<Layer> layers;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].deep) continue;
@@ -62,7 +76,8 @@ std::vector<Layer> pictures(const std::vector<Part>& parts) {
       add_channel(*layer, after_last_dot(channel), static_cast<int>(c));
     }
   }
-  std::erase_if(layers, [](const Layer& l) { return !l.is_colour() && !l.is_grey(); });
+  std::erase_if(layers,
+                [](const Layer& l) { return !l.is_colour() && !l.is_grey() && !l.is_vector(); });
   return layers;
 }
 
@@ -112,7 +127,10 @@ const Layer& named_layer(const std::vector<Layer>& layers, const std::string& wa
                                names_of(layers)));
 }
 
-const Layer& beauty_layer(const std::vector<Layer>& layers) {
+// A vector is read only where it is named.
+Layer beauty_layer(const std::vector<Part>& parts, std::vector<Layer> layers) {
+  std::erase_if(layers, [](const Layer& l) { return l.is_vector(); });
+  if (layers.empty()) fail_without_picture(parts);
   const auto first = [&](auto&& fits) -> const Layer* {
     const auto found = std::find_if(layers.begin(), layers.end(), fits);
     return found == layers.end() ? nullptr : &*found;
@@ -133,17 +151,17 @@ const Layer& beauty_layer(const std::vector<Layer>& layers) {
 }  // namespace
 
 LayerChoice choose_layer(const std::vector<Part>& parts, const std::string& wanted) {
-  const std::vector<Layer> layers = pictures(parts);
+  const std::vector<Layer> layers = readable_layers(parts);
   if (layers.empty()) fail_without_picture(parts);
-  const Layer& layer = wanted.empty() ? beauty_layer(layers) : named_layer(layers, wanted);
-  LayerChoice choice{layer.part, layer.rgb, {}, {}};
+  const Layer layer = wanted.empty() ? beauty_layer(parts, layers) : named_layer(layers, wanted);
+  LayerChoice choice{layer.part, layer.is_vector() ? layer.xyz : layer.rgb, layer.alpha, {}, {}};
   if (!layer.name().empty())
     choice.notes.push_back("its layer " + quoted(layer.name()) + " was read");
   else if (parts.size() > 1)
     choice.notes.push_back(
         fmt::format("image {} of {} in the file was read", layer.part + 1, parts.size()));
   if (layer.is_grey()) {
-    choice.rgb.fill(layer.luminance);
+    choice.rgb.fill(layer.xyz[1]);
     choice.notes.emplace_back("it has one channel, which was read as red, green and blue");
   }
   if (!layer.name().empty()) return choice;

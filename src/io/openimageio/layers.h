@@ -23,8 +23,11 @@ struct LayerChoice {
   };
   std::size_t part = 0;
   std::array<int, 3> rgb{};        ///< indices of red, green and blue; equal for grey
+  int alpha = -1;                  ///< index of its channel A; -1 without one
   std::vector<Channel> others;     ///< of kStatisticsLayers
   std::vector<std::string> notes;  ///< what a user would not expect
+
+  bool is_grey() const { return rgb[0] == rgb[1]; }
 };
 
 /// Chooses the layer of this name, or the picture itself for "" (see read_image()). Throws

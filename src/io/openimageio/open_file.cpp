@@ -53,13 +53,21 @@ OpenFile::OpenFile(const std::string& bytes)
   OIIO::Filesystem::IOProxy* proxy = &memory;
   hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
   if (!input->open("image." + std::string(format.name), spec, hints)) fail();
+  check(true);  // a JPEG file that is cut off opens
 }
 
-void OpenFile::fail() const {
-  std::string why = input->geterror();
+void OpenFile::fail() const { fail(input->geterror()); }
+
+void OpenFile::fail(std::string why) const {
   if (why.empty()) why = OIIO::geterror();
+  why = why.substr(0, why.find('\n'));  // the first of several
   throw InputError(fmt::format("damaged {} image: {}", format.title,
                                why.empty() ? "it cannot be read" : one_line(why)));
+}
+
+void OpenFile::check(bool good) const {
+  const std::string why = input->geterror();
+  if (!good || !why.empty()) fail(why);
 }
 
 }  // namespace raytracing::openimageio

@@ -47,6 +47,12 @@ struct OpenFile {
 
   /// Throws InputError with what the library says of its last failure.
   [[noreturn]] void fail() const;
+  /// Throws InputError unless what the library did was good. It also returns true after failures
+  /// that it only reports, such as a strip of TIFF that is cut off.
+  void check(bool good) const;
+
+ private:
+  [[noreturn]] void fail(std::string why) const;
 };
 
 }  // namespace raytracing::openimageio

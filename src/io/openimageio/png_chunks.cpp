@@ -42,12 +42,21 @@ double gamma_of(std::string_view data) {
   return std::abs(encoding - kSrgb) > kTolerance ? 1 / encoding : 0;
 }
 
+// White, red, green and blue, of which the white comes last here.
+std::array<float, 8> chromaticities_of(std::string_view data) {
+  std::array<float, 8> xy{};
+  if (data.size() != 4 * xy.size()) fail("its chromaticities are not eight numbers");
+  for (std::size_t i = 0; i < xy.size(); ++i)
+    xy[(i + 6) % 8] = static_cast<float>(1e-5 * number_at(data, 4 * i));
+  return xy;
+}
+
 }  // namespace
 
-PngColours check_png_chunks(const std::string& bytes) {
+StatedColours check_png_chunks(const std::string& bytes) {
   constexpr std::size_t kSignature = 8, kLengthAndName = 8, kChecksum = 4;
   std::string_view rest = std::string_view(bytes).substr(std::min(kSignature, bytes.size()));
-  PngColours colours;
+  StatedColours colours;
   bool is_srgb = false;
   while (rest.size() >= kLengthAndName) {
     const std::size_t length = number_at(rest, 0);
@@ -57,15 +66,31 @@ PngColours check_png_chunks(const std::string& bytes) {
       fail("the checksum of its chunk " + quoted(name) + " is wrong");
     if (name == "cICP") check_cicp(data);
     if (name == "gAMA") colours.gamma = gamma_of(data);
+    if (name == "cHRM") colours.chromaticities = chromaticities_of(data);
     if (name == "sRGB" || name == "cICP") is_srgb = true;
     if (name == "iCCP") colours.has_profile = true;
     if (name == "IEND") {
-      if (is_srgb || colours.has_profile) colours.gamma = 0;
+      if (is_srgb || colours.has_profile) return {.has_profile = colours.has_profile};
       return colours;
     }
     rest.remove_prefix(kLengthAndName + length + kChecksum);
   }
   fail("cut off within a chunk");
+}
+
+std::string with_international_text(std::string png, const std::string& keyword,
+                                    const std::string& text) {
+  constexpr std::size_t kLength = 4;
+  // Behind the keyword: not compressed, no language, no translated keyword.
+  const std::string body = "iTXt" + keyword + std::string(5, '\0') + text;
+  const auto append = [](std::string& bytes, std::size_t number) {
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(number >> shift & 0xff);
+  };
+  std::string chunk;
+  append(chunk, body.size() - kLength);
+  chunk += body;
+  append(chunk, checksum(body));
+  return png.insert(png.find("IDAT") - kLength, chunk);
 }
 
 }  // namespace raytracing::openimageio
