@@ -239,6 +239,8 @@ void add_notes(const OpenFile& file, int part, std::vector<std::string>& notes) 
   if (orientation != 1)
     notes.push_back(
         fmt::format("its pixels were not turned, although its orientation is {}", orientation));
+  if (file.input->spec().get_string_attribute("jpeg:ColorSpace") == "CMYK")
+    notes.emplace_back("its CMYK colours were converted without a profile");
   const float aspect = file.input->spec().get_float_attribute("PixelAspectRatio", 1);
   if (std::abs(aspect - 1) > 1e-3f)
     notes.push_back(
