@@ -10,10 +10,10 @@
 
 #include "app.h"
 #include "common_options.h"
+#include "compare_notes.h"
 #include "raytracing/io/errors.h"
 #include "raytracing/io/file.h"
 #include "raytracing/io/image.h"
-#include "raytracing/render/provenance.h"
 #include "raytracing/study/metrics/error_metrics.h"
 #include "raytracing/study/metrics/error_picture.h"
 #include "raytracing/study/metrics/flip.h"
@@ -143,23 +143,6 @@ std::vector<Row> rows(const Comparison& c) {
   return result;
 }
 
-void add_notes_on(const ImageData& image, const RunFacts& facts, const std::string& path,
-                  std::vector<std::string>& notes) {
-  for (const std::string& note : image.notes)
-    notes.push_back(fmt::format("note: {}: {}", path, note));
-  if (facts.light_sampling_biased == true)
-    notes.push_back(fmt::format(
-        "note: {}: rendered by {}, a biased method that does not converge to the true image", path,
-        facts.light_sampling.value_or("an unknown method")));
-  if (facts.complete == false)
-    notes.push_back(fmt::format("warning: {}: the rendering was stopped early", path));
-  if (has_correlated_pixels(facts))
-    notes.push_back(fmt::format("note: {}: {}", path, *facts.pixel_correlation));
-  if (image.integer_bits > 0)
-    notes.push_back(fmt::format("note: {}: {} bits per channel; values above 1 are clipped", path,
-                                image.integer_bits));
-}
-
 // Returns a table with the name, value and formula in each row.
 std::string comparison_text(const Comparison& c) {
   std::string text =
@@ -191,49 +174,6 @@ std::string comparison_json(const Comparison& c) {
   j["epsilon"] = kRelMseEpsilon;
   j["formulas"] = formulas;
   return j.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
-
-// What the two headers state differently although it should be the same for a fair comparison.
-void add_differences(const RunFacts& x, const RunFacts& r, std::vector<std::string>& notes) {
-  const auto differ = [](const auto& a, const auto& b) { return a && b && *a != *b; };
-  if (differ(x.scene_hash, r.scene_hash))
-    notes.push_back(fmt::format("warning: the images show different scenes (scene_hash {} and {})",
-                                *x.scene_hash, *r.scene_hash));
-  if (x.max_depth && r.max_depth && to_text(*x.max_depth) != to_text(*r.max_depth))
-    notes.push_back(fmt::format("warning: the images differ in depth (max_depth {} and {})",
-                                to_text(*x.max_depth), to_text(*r.max_depth)));
-  if (differ(x.width, r.width) || differ(x.height, r.height))
-    notes.push_back(fmt::format(
-        "warning: the images were rendered at different sizes ({}x{} and {}x{})",
-        x.width.value_or(0), x.height.value_or(0), r.width.value_or(0), r.height.value_or(0)));
-  if (differ(x.light_sampling, r.light_sampling))
-    notes.push_back(fmt::format("note: the images were rendered by different methods ({} and {})",
-                                *x.light_sampling, *r.light_sampling));
-  if (x.scene_hash && x.scene_hash == r.scene_hash && x.seed && x.seed == r.seed && x.sampler &&
-      x.sampler == r.sampler)
-    notes.emplace_back(
-        "note: both images were rendered with the same seed; their errors are not independent");
-}
-
-// What the headers of the images say against the comparison and what reading them changed, one line
-// each.
-std::vector<std::string> header_notes(const ImageData& test, const std::string& test_path,
-                                      const ImageData& reference,
-                                      const std::string& reference_path) {
-  std::vector<std::string> notes;
-  const RunFacts x = facts_of(test.metadata), r = facts_of(reference.metadata);
-  add_differences(x, r, notes);
-  add_notes_on(test, x, test_path, notes);
-  add_notes_on(reference, r, reference_path, notes);
-  return notes;
-}
-
-void add_window_note(const ImageData& test, const ImageData& reference, const PixelWindow& window,
-                     std::vector<std::string>& notes) {
-  if (window_of(test) == window && window_of(reference) == window) return;
-  notes.push_back(
-      fmt::format("note: only the {}x{} pixels at {},{} that both images have are compared",
-                  window.width, window.height, window.x, window.y));
 }
 
 // An optional output, created before the images are compared.
@@ -275,8 +215,8 @@ int compare_command(const Arguments& arguments) {
     throw InputError(fmt::format("{}: {}, but {} has {}", a.test, pixels_text(test), a.reference,
                                  pixels_text(reference)));
   Output diff(a.diff), z_scores(a.z_scores), json(a.json);
-  std::vector<std::string> notes = header_notes(test, a.test, reference, a.reference);
-  add_window_note(test, reference, *window, notes);
+  std::vector<std::string> notes =
+      comparison_notes({a.test, test}, {a.reference, reference}, *window);
   const PixelWindow whole = whole_of(test);
   const PixelMask mask = read_mask(a.mask, whole.width, whole.height, *window, notes);
   test = cropped(test, *window);

@@ -53,24 +53,30 @@ class Outputs {
   /// Finds out during the rendering, not behind it, that no image could be written.
   void check() const { library_.check(); }
 
-  /// Writes all that can be written. Throws the first error only then.
+  /// Writes all that can be written. Throws the first error only then; others are printed.
   void write(const RenderResult& result, const RunFacts& facts, bool quiet) {
     const ImageData image = to_image(result.film, facts, result.layers);
-    std::exception_ptr error;
-    for (OutputFile& file : images_) {
+    std::exception_ptr first;
+    const auto attempt = [&first](const auto& step) {
       try {
+        step();
+      } catch (const std::exception& error) {
+        if (first) print_message("Raytracing: {}\n", one_line(error.what()));
+        if (!first) first = std::current_exception();
+      }
+    };
+    for (OutputFile& file : images_)
+      attempt([&] {
         file.write(encode_image(image, image_ending(file.path()), as_float_));
         file.commit();
         if (!quiet) fmt::print("{}\n", file.path());
-      } catch (...) {
-        if (!error) error = std::current_exception();
-      }
-    }
-    if (stats_) {
+      });
+    attempt([&] {
+      if (!stats_) return;
       stats_->write(to_json(facts).dump(2) + "\n");
       stats_->commit();
-    }
-    if (error) std::rethrow_exception(error);
+    });
+    if (first) std::rethrow_exception(first);
   }
 
  private:

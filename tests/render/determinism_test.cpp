@@ -5,22 +5,11 @@
 #include <stdexcept>
 
 #include "support/films.h"
+#include "support/rooms.h"
 #include "support/scenes.h"
 
 namespace raytracing {
 namespace {
-
-/// A room with a metal ball: several bounces, two materials, shadows.
-Scene room() {
-  SceneMaker maker;
-  const auto wall = maker.add_surface(Diffuse{Rgb(0.7f, 0.5f, 0.3f)});
-  const auto light = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(5.0f, 4.0f, 3.0f));
-  maker.description.meshes.push_back(inward_box(1, wall));
-  maker.add_polygon(parallelogram({0, 0.95f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}), light);
-  maker.add_sphere({0.2f, -0.6f, -0.2f}, 0.4f, maker.add_surface(GgxConductor{Rgb(0.9f), 0.16f}));
-  maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 70};
-  return maker.build();
-}
 
 RenderOptions options_of(SamplerKind sampler) {
   RenderOptions options;
@@ -36,7 +25,7 @@ RenderOptions options_of(SamplerKind sampler) {
 constexpr SamplerKind kSamplers[]{SamplerKind::sobol, SamplerKind::independent};
 
 TEST(Determinism, PictureDependsNeitherOnThreadsNorOnTiles) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   for (const SamplerKind sampler : kSamplers)
     for (const DirectMethod& method : direct_methods()) {
       RenderOptions options = options_of(sampler);
@@ -59,7 +48,7 @@ TEST(Determinism, PictureDependsNeitherOnThreadsNorOnTiles) {
 }
 
 TEST(Determinism, SeedSamplerAndMethodMakeDifferentPictures) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   const RenderOptions options = options_of(SamplerKind::sobol);
   RenderOptions seed = options, sampler = options, method = options;
   ++seed.seed;
@@ -97,7 +86,7 @@ TEST(Determinism, EachSampleOfEachPixelHasItsOwnNumbers) {
 }
 
 TEST(Determinism, TraceSampleIsWhatRenderAdds) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   for (const SamplerKind sampler : kSamplers) {
     RenderOptions options = options_of(sampler);
     options.threads = 2;
@@ -120,7 +109,7 @@ TEST(Determinism, TraceSampleIsWhatRenderAdds) {
 
 // Samples are numbered, so that a longer render only adds to a shorter one.
 TEST(Determinism, FewerSamplesAreTheFirstOnesOfMore) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   RenderOptions options = options_of(SamplerKind::sobol);
   options.spp = 5;
   const RenderResult result = render_all(scene, options);
@@ -132,7 +121,7 @@ TEST(Determinism, FewerSamplesAreTheFirstOnesOfMore) {
 }
 
 TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   RenderOptions options = options_of(SamplerKind::sobol);
   options.spp = 40;  // passes end at 16, 32 and 40
   options.tile_size = 8;
@@ -165,7 +154,7 @@ TEST(Determinism, ARenderStoppedEarlyHoldsWholePasses) {
 }
 
 TEST(Determinism, ARenderStoppedBeforeItStartsIsEmpty) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   const std::atomic<bool> stop = true;
   const RenderResult result = render(scene, options_of(SamplerKind::sobol), stop, {});
   EXPECT_FALSE(result.complete);
@@ -179,7 +168,7 @@ TEST(Determinism, AMethodThatThrowsEndsTheRender) {
   method.estimate = [](const DirectQuery& query, RayQueries&, DirectEstimate&) {
     if (query.u.x > 0.99f) throw std::runtime_error("no estimate");
   };
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   RenderOptions options = options_of(SamplerKind::sobol);
   options.path.method = &method;
   for (const int reuse : {1, 16})
@@ -191,7 +180,7 @@ TEST(Determinism, AMethodThatThrowsEndsTheRender) {
 }
 
 TEST(RenderOptions, AreChecked) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   RenderOptions options = options_of(SamplerKind::sobol);
   options.tile_size = 0;
   EXPECT_THROW(render_all(scene, options), std::invalid_argument);
@@ -201,7 +190,7 @@ TEST(RenderOptions, AreChecked) {
 }
 
 TEST(Progress, NeverFallsBackAndEndsAtTheTotal) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   RenderOptions options = options_of(SamplerKind::sobol);
   std::uint64_t last = 0;
   const std::atomic<bool> stop = false;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "support/layers.h"
+#include "support/rooms.h"
 #include "support/scenes.h"
 #include "support/statistics.h"
 
@@ -138,20 +139,8 @@ TEST(Layers, MeansAtAnEdge) {
   EXPECT_EQ(picture.at(1, 1, "samples"), 64);
 }
 
-/// A room with a metal ball: several bounces, two materials, shadows.
-Scene room() {
-  SceneMaker maker;
-  const auto wall = maker.add_surface(Diffuse{Rgb(0.7f, 0.5f, 0.3f)});
-  const auto light = maker.add_surface(Diffuse{Rgb(0.0f)}, Rgb(5.0f, 4.0f, 3.0f));
-  maker.description.meshes.push_back(inward_box(1, wall));
-  maker.add_polygon(parallelogram({0, 0.95f, 0}, {0.3f, 0, 0}, {0, 0, 0.3f}), light);
-  maker.add_sphere({0.2f, -0.6f, -0.2f}, 0.4f, maker.add_surface(GgxConductor{Rgb(0.9f), 0.16f}));
-  maker.description.camera = {{0.0f, 0.1f, 0.95f}, {0.0f, -0.1f, 0.0f}, {0.0f, 1.0f, 0.0f}, 70};
-  return maker.build();
-}
-
 TEST(Layers, DoNotChangeABitOfThePicture) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   for (const DirectMethod& method : direct_methods())
     for (const int reuse : {1, 4, 16}) {
       RenderOptions options = options_of(23, 17, 3);
@@ -168,7 +157,7 @@ TEST(Layers, DoNotChangeABitOfThePicture) {
 }
 
 TEST(Layers, DependNeitherOnThreadsNorOnTiles) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   for (const int reuse : {1, 4, 16}) {
     RenderOptions options = options_of(37, 23, 6);
     options.path.max_depth = 4;
@@ -185,7 +174,7 @@ TEST(Layers, DependNeitherOnThreadsNorOnTiles) {
 }
 
 TEST(Layers, FirstHitsDependNeitherOnReuseNorOnTheMethod) {
-  const Scene scene = room();
+  const Scene scene = metal_ball_room();
   RenderOptions options = options_of(23, 17, 4);
   options.path.max_depth = 3;
   const LayeredPicture one = render_layers(scene, options);

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -52,8 +52,8 @@ void check_size(const OIIO::ImageSpec& spec, bool is_exr, std::size_t channels,
   if (width > kMaxSide || height > kMaxSide || width * height * channels > kMaxValues)
     throw InputError(fmt::format("{}x{} pixels of {} channels are more than can be read", width,
                                  height, channels));
-  // No compression of EXR yields more; DEFLATE yields 1032 bytes for one, of 8 pixels each.
-  const std::uint64_t most_of_a_byte = is_exr ? 1 << 16 : 1 << 13;
+  // No compression of EXR yields more. DEFLATE yields 1032 bytes for one, of 8 grey pixels each.
+  const std::uint64_t most_of_a_byte = is_exr ? 1 << 16 : 1032 * 8 * 3;
   if (width * height * channels > most_of_a_byte * file_bytes)
     throw InputError("is too short for its size");
   // Tiles and strips may be said to be larger than the image; the library takes memory for them.
@@ -262,8 +262,7 @@ ImageData decode(const std::string& bytes, const std::string& layer) {
   if (file.format.holds_several() && !file.input->seek_subimage(static_cast<int>(choice.part), 0))
     file.fail();
   const OIIO::ImageSpec& spec = file.input->spec();
-  check_size(spec, file.format.name == "openexr", (choice.is_grey() ? 1 : 3) + choice.others.size(),
-             bytes.size());
+  check_size(spec, file.format.name == "openexr", 3 + choice.others.size(), bytes.size());
   check_type(file, spec);
   ImageData image;
   image.notes = choice.notes;
