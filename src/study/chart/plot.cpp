@@ -21,6 +21,14 @@ const Spread& errors_of(const ChartSummary& summary, const ChartPoint& point) {
 
 std::string positive(double value) { return value > 0 ? fmt::format("{:.6g}", value) : "NaN"; }
 
+// The script reads the places of tics from text, where gnuplot 5.4 refuses 5e-05.
+std::string without_exponent(double value) {
+  std::string text = fmt::format("{:.12f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = 0;
 
@@ -83,7 +91,8 @@ std::string plot_script(const ChartSummary& summary, const std::string& title) {
       range_of(summary, [](const ChartPoint& p) { return static_cast<double>(p.spp); });
   const auto seconds = range_of(summary, [](const ChartPoint& p) { return p.seconds.median; });
   for (const ChartPoint& p : summary.methods[0].points) tics[0] += std::to_string(p.spp) + " ";
-  tics[1] = fmt::format("{:g}", fmt::join(round_numbers(seconds.low, seconds.high), " "));
+  for (const double tic : round_numbers(seconds.low, seconds.high))
+    tics[1] += without_exponent(tic) + " ";
   const std::string subtitle =
       fmt::format("median and min-max band of {} seeds{}", summary.methods[0].points[0].seeds,
                   summary.floor ? ", less the noise of the reference" : "");
