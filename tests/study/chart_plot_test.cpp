@@ -58,6 +58,17 @@ TEST(ChartPlot, GnuplotDrawsIntoAnyFolder) {
   EXPECT_FALSE(std::filesystem::exists(folder + "/x"));
 }
 
+// Pictures of a few pixels take 2e-5 s: gnuplot refuses a place of a tic that is written so.
+TEST(ChartPlot, ShortTimesHaveTicsWithoutAnExponent) {
+  const ChartSummary summary =
+      summarise({made_up_method("line", 0.2, -1.5, 2e-5, 0, 1)}, std::nullopt);
+  const std::string script = plot_script(summary, "short");
+  const std::size_t begin = script.find("array tics[2] = ");
+  const std::string tics = script.substr(begin, script.find('\n', begin) - begin);
+  EXPECT_NE(tics.find("0.0000"), std::string::npos) << tics;
+  EXPECT_EQ(tics.find("e-"), std::string::npos) << tics;
+}
+
 TEST(ChartPlot, AFailureOfGnuplotIsAnOutputError) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is missing";
   const TempDir folder;
